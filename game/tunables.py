@@ -1,0 +1,154 @@
+"""Every number a player may turn: one declaration makes the slider, the settings file, `--set` and the docs."""
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+Value = float | bool | str
+
+
+class TunableError(ValueError):
+    """A name or value that no tunable accepts; the message says what would be valid."""
+
+
+@dataclass(frozen=True)
+class Tunable:
+    """One number, switch or choice of the method.
+
+    name: `group.what_unit`; default; low and high bound a number; unit; meaning in one sentence with its equation;
+    choices: the valid words of a choice; log: the slider is logarithmic; restart: takes effect at the next start of the scene.
+    """
+
+    name: str
+    default: Value
+    meaning: str
+    low: float = 0.0
+    high: float = 1.0
+    unit: str = ""
+    choices: tuple[str, ...] = ()
+    log: bool = False
+    restart: bool = False
+
+    @property
+    def group(self) -> str:
+        return self.name.split(".", 1)[0]
+
+    def parse(self, value: object) -> Value:
+        """The value in this tunable's type; raises TunableError with one sentence that names what is valid."""
+        if isinstance(self.default, bool):
+            words = {"true": True, "on": True, "1": True, "yes": True, "false": False, "off": False, "0": False, "no": False}
+            word = str(value).strip().lower()
+            if word in words:
+                return words[word]
+            raise TunableError(f"{self.name} is a switch: {value!r} is not one of true, false.")
+        if self.choices:
+            if str(value) in self.choices:
+                return str(value)
+            raise TunableError(f"{self.name} cannot be {value!r}; valid: {', '.join(self.choices)}.")
+        try:
+            number = float(str(value))
+        except ValueError:
+            number = math.nan
+        if not math.isfinite(number) or isinstance(value, bool):
+            raise TunableError(f"{self.name} needs a number from {self.low:g} to {self.high:g} {self.unit}, not {value!r}.")
+        if not self.low <= number <= self.high:
+            raise TunableError(f"{self.name} must lie between {self.low:g} and {self.high:g} {self.unit}, not {number:g}.")
+        return number
+
+
+def _table(rows: Iterable[Tunable]) -> dict[str, Tunable]:
+    table: dict[str, Tunable] = {}
+    for row in rows:
+        if row.name in table:
+            raise ValueError(f"tunable {row.name} is declared twice")
+        table[row.name] = row
+    return table
+
+
+TUNABLES: Mapping[str, Tunable] = _table(
+    [
+        # input and intake
+        Tunable("sensor.noise", 0.0, "scale of the Kinect v1 sensor model laid over a performer or puppet; 1 is a real sensor", 0.0, 2.0),
+        Tunable("sensor.latency_s", 0.0, "delay of the sensor model between a pose and its frame", 0.0, 0.5, "s"),
+        Tunable("sensor.outliers", 0.0, "scale of the sensor model's violent outliers; 1 is a real sensor", 0.0, 2.0),
+        Tunable("intake.smoothing", 0.0, "strength of the Kinect SDK's joint smoothing; 1 is the SDK's default parameters, 0 off", 0.0, 2.0),
+        Tunable("intake.mirror", True, "mirror left and right, so that the character faces you like a mirror image"),
+        Tunable("intake.jump_limit_m", 0.35, "a root that moves farther between two frames is held as a sensor fault", 0.05, 2.0, "m"),
+        # kinematic target
+        Tunable("ik.method", "dls", "inverse of the Jacobian: pseudoinverse (Eq. 3.2), dls (Eq. 3.3), sdls (Buss & Kim 2005), none", choices=("none", "pseudoinverse", "dls", "sdls")),
+        Tunable("ik.damping", 0.4, "lambda of damped least squares, Eq. 3.3", 0.0, 1.2),
+        Tunable("ik.pose_weight", 1.0, "w of null-space pose tracking, Eq. 3.5", 0.0, 1.0),
+        Tunable("ik.target_clamp_m", 0.15, "longest step of an end-effector towards its target in one frame (Buss & Kim 2005)", 0.01, 1.0, "m"),
+        # PD control
+        Tunable("pd.kp_hat", 800.0, "stiffness of the first spine axis; all others follow by their ratio, Eq. 3.7 and 3.8", 100.0, 3000.0, "N m/rad"),
+        Tunable("pd.ratio", "dynamic", "gain ratios between the axes: dynamic (Eq. 3.8, from the pose) or manual (fixed)", choices=("dynamic", "manual")),
+        Tunable("pd.gravity_feedforward", True, "add the torque that holds each joint against gravity, ankles left out"),
+        # balance
+        Tunable("balance.strategy", "ankle", "how the character keeps its feet: none or ankle (thesis 3.4.3)", choices=("none", "ankle")),
+        Tunable("balance.w_com", 0.0, "COM target between above the COS (0) and the kinematic target's offset (1), Eq. 3.9", 0.0, 1.0),
+        Tunable("balance.w_vel", 0.4, "weight of the COM velocity compensation, Eq. 3.10 and 3.11", 0.0, 1.0, "s"),
+        Tunable("balance.ankle_clamp_rad", 0.1, "largest ankle error handed to the PD law, thesis 3.4.3", 0.005, 0.5, "rad"),
+        # physics
+        Tunable("physics.step_s", 1.0 / 480.0, "physics time step; rounded to a whole number of steps in 1/60 s", 0.00001, 1.0 / 60.0, "s", log=True, restart=True),
+        Tunable("physics.integrator", "discrete", "discrete, implicitfast or euler with stable PD, or explicit: the thesis's torques evaluated at the start of the step", choices=("discrete", "implicitfast", "euler", "explicit"), restart=True),
+        Tunable("physics.friction", 1.0, "Coulomb friction coefficient of soles and floor, Eq. 3.6", 0.05, 2.0),
+        Tunable("physics.self_collision", False, "body parts of one character collide with each other", restart=True),
+        # picture
+        Tunable("picture.exposure", 1.0, "brightness of the picture", 0.25, 4.0),
+        Tunable("picture.ambient_occlusion", 0.7, "darkening of corners and creases", 0.0, 1.0),
+        Tunable("picture.fov_deg", 40.0, "vertical field of view of the camera", 20.0, 90.0, "deg"),
+        Tunable("picture.light_azimuth_deg", 35.0, "compass direction the main light comes from", -180.0, 180.0, "deg"),
+        Tunable("picture.light_height_deg", 55.0, "height of the main light above the horizon", 10.0, 85.0, "deg"),
+        # layers
+        Tunable("layer.target", False, "the kinematic target as a translucent ghost"),
+        Tunable("layer.input", False, "the input joints as spheres with bones"),
+        Tunable("layer.orientation", False, "the unprocessed orientation skeleton, thesis Fig. 4"),
+        Tunable("layer.balance", False, "support polygon, COM, COS and COM target on the floor"),
+        Tunable("layer.contact", False, "contact forces as arrows"),
+        Tunable("layer.torque", False, "joint torque as colour on the character"),
+    ]
+)
+
+
+class Settings:
+    """The current value of every tunable. `version` grows by one with each change, so readers can cache."""
+
+    def __init__(self, values: Mapping[str, object] | None = None) -> None:
+        self._values: dict[str, Value] = {name: t.default for name, t in TUNABLES.items()}
+        self.version = 0
+        for name, value in (values or {}).items():
+            self.set(name, value)
+
+    def set(self, name: str, value: object) -> None:
+        """Set one tunable by name; raises TunableError where name or value is not valid."""
+        tunable = TUNABLES.get(name)
+        if tunable is None:
+            raise TunableError(f"there is no tunable {name!r}; valid names: {', '.join(TUNABLES)}.")
+        self._values[name] = tunable.parse(value)
+        self.version += 1
+
+    def number(self, name: str) -> float:
+        """The value of a numeric tunable."""
+        value = self._values[name]
+        assert not isinstance(value, str)
+        return float(value)
+
+    def switch(self, name: str) -> bool:
+        """The value of an on/off tunable."""
+        return self._values[name] is True
+
+    def choice(self, name: str) -> str:
+        """The value of a tunable that is one of several words."""
+        return str(self._values[name])
+
+    def get(self, name: str) -> Value:
+        return self._values[name]
+
+    def as_dict(self) -> dict[str, Value]:
+        """A copy of all values by name."""
+        return dict(self._values)
+
+    def reset(self, names: Iterable[str] | None = None) -> None:
+        """Back to the declared default, for the given names or all."""
+        for name in names or TUNABLES:
+            self.set(name, TUNABLES[name].default)
