@@ -1,0 +1,66 @@
+"""One door to every input: `open_input("clip:walk.npz")` gives a source of body frames.
+
+Adding an input is one module with a class that meets `BodySource` and one line in `INPUTS`.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from kinect.source import BodySource
+
+
+class InputError(ValueError):
+    """An input that cannot be opened; the message is one sentence that names the valid forms."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One kind of input. form: how to ask for it; opens(argument, seed) makes the source; synthetic: the sensor model applies."""
+
+    form: str
+    opens: Callable[[str, int], BodySource]
+    synthetic: bool = True
+
+
+def open_input(spec: str, *, noise: float = 0.0, latency_s: float = 0.0, outliers: float = 0.0, seed: int = 0) -> BodySource:
+    """The source that `spec` names, behind the sensor model where it is synthetic and any of its settings is not 0.
+
+    Raises InputError where the spec is not valid or the recording cannot be read.
+    """
+    kind, _, argument = spec.partition(":")
+    entry = INPUTS.get(kind)
+    if entry is None:
+        raise InputError(f"there is no input {spec!r}; valid: {valid_forms()}.")
+    if bool(argument) != (":" in entry.form):
+        raise InputError(f"the input {spec!r} does not have the form {entry.form}; valid: {valid_forms()}.")
+    return entry.opens(argument, seed)
+
+
+def valid_forms() -> str:
+    """The forms a spec can take, as a list in words."""
+    return ", ".join(entry.form for entry in INPUTS.values())
+
+
+def _clip(argument: str, _seed: int) -> BodySource:
+    from kinect.clip import ClipError, ClipSource
+
+    try:
+        return ClipSource(argument)
+    except ClipError as fault:
+        raise InputError(str(fault)) from fault
+
+
+def _performer(argument: str, _seed: int) -> BodySource:
+    from game.inputs.performer import Performer  # the motions take a moment to import; a recording needs none of it
+
+    try:
+        return Performer(argument)
+    except ValueError as fault:
+        raise InputError(str(fault)) from fault
+
+
+INPUTS: Final[Mapping[str, Input]] = {
+    "clip": Input("clip:PATH", _clip, synthetic=False),
+    "performer": Input("performer:NAME", _performer),
+}
