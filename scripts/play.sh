@@ -1,0 +1,7 @@
+#!/bin/sh
+# Sets everything up, then starts the game: sh scripts/play.sh [options of run_game.py]
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+. "$root/scripts/setup.sh"
+set_up play
+exec "$python" "$root/run_game.py" "$@"
