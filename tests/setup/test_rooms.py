@@ -62,22 +62,23 @@ def test_a_room_imports_nothing_that_is_not_its_business(room: str) -> None:
     assert not wrong
 
 
-@pytest.mark.parametrize("path", EVERY_FILE, ids=str)
-def test_a_module_is_short_enough_to_read_in_one_go(path: Path) -> None:
-    assert len((ROOT / path).read_text(encoding="utf-8").splitlines()) <= LONGEST_MODULE
+def test_every_module_is_short_enough_to_read_in_one_go() -> None:
+    lengths = {str(path): len((ROOT / path).read_text(encoding="utf-8").splitlines()) for path in EVERY_FILE}
+    assert {path: lines for path, lines in lengths.items() if lines > LONGEST_MODULE} == {}
 
 
-@pytest.mark.parametrize("path", EVERY_FILE, ids=str)
-def test_a_function_fits_on_a_screen(path: Path) -> None:
-    functions = [node for node in ast.walk(parse(path)) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
-    lengths = {f.name: (f.end_lineno or f.lineno) - f.lineno + 1 for f in functions}
-    assert {name: lines for name, lines in lengths.items() if lines > LONGEST_FUNCTION} == {}
+def test_every_function_fits_on_a_screen() -> None:
+    lengths: dict[str, int] = {}
+    for path in EVERY_FILE:
+        for node in ast.walk(parse(path)):
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                lengths[f"{path}:{node.name}"] = (node.end_lineno or node.lineno) - node.lineno + 1
+    assert {function: lines for function, lines in lengths.items() if lines > LONGEST_FUNCTION} == {}
 
 
-@pytest.mark.parametrize("path", EVERY_FILE, ids=str)
-def test_a_module_is_named_for_what_it_does(path: Path) -> None:
-    words = {word for part in path.with_suffix("").parts for word in part.lower().split("_")}
-    assert not words & NAMES_THAT_SAY_NOTHING
+def test_every_module_is_named_for_what_it_does() -> None:
+    words = {str(path): {word for part in path.with_suffix("").parts for word in part.lower().split("_")} for path in EVERY_FILE}
+    assert {path: found for path, named in words.items() if (found := named & NAMES_THAT_SAY_NOTHING)} == {}
 
 
 def test_a_forbidden_import_is_found_wherever_it_hides() -> None:
