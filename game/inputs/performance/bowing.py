@@ -1,0 +1,27 @@
+"""Bowing down (thesis Table 1: sudden COM shift): the trunk goes forward, the hips go back to keep the weight over the feet."""
+
+from game.inputs.performance.curves import Curve, keys
+from game.inputs.performance.script import STANDING, Script, both
+
+LENGTH_S = 9.2
+BOWS = ((0.9, 2.1, 2.9, 4.2), (4.7, 5.8, 6.7, 8.1))
+"""(start, down, up again, straight) of each bow, seconds."""
+
+
+def script() -> Script:
+    return Script(
+        LENGTH_S,
+        {
+            "trunk.pitch": _bow(0.0, 70.0),
+            "pelvis.pitch": _bow(0.0, 46.0),
+            "head.pitch": _bow(0.0, 72.0),
+            "pelvis.height": _bow(STANDING["pelvis.height"], 0.915),
+            **both("flex", _bow(STANDING["left.flex"], 52.0)),
+            **both("side", _bow(STANDING["left.side"], 4.0)),
+            "zmp.x": _bow(0.0, 0.015),
+        },
+    )
+
+
+def _bow(idle: float, bent: float) -> Curve:
+    return keys(*(pair for start, down, up, end in BOWS for pair in ((start, idle), (down, bent), (up, bent), (end, idle))))

@@ -1,0 +1,67 @@
+"""Boxing on the spot (thesis Table 1: energetic full body motion): guard, then jab and cross, a hook of breath between the rounds."""
+
+from game.inputs.performance.curves import Curve, ease
+from game.inputs.performance.script import STANDING, Script, Side
+
+LENGTH_S = 15.6
+GUARD = (0.8, 1.7, 13.8, 14.8)
+"""Fists rise between the first two times and fall between the last two, seconds."""
+PUNCHES: tuple[tuple[float, Side], ...] = tuple(
+    (2.1 + 1.62 * combination + after, side)
+    for combination in range(7)
+    for after, side in (((0.0, "left"), (0.72, "right")))
+)
+OUT_S, HELD_S, BACK_S = 0.25, 0.04, 0.34
+GUARD_ARM = {"flex": 38.0, "side": 12.0, "twist": -12.0, "elbow": 122.0}
+PUNCH_ARM = {"flex": 84.0, "side": -4.0, "twist": -40.0, "elbow": 16.0}
+TWIST_DEG = 12.0
+
+
+def script() -> Script:
+    arms = {f"{side}.{turn}": _arm(side, turn) for side in ("left", "right") for turn in GUARD_ARM}
+    return Script(
+        LENGTH_S,
+        {
+            **arms,
+            "trunk.yaw": _twist(TWIST_DEG),
+            "pelvis.yaw": _twist(0.4 * TWIST_DEG),
+            "pelvis.height": lambda t: STANDING["pelvis.height"] - 0.035 * _guard(t),
+            "trunk.pitch": lambda t: 6.0 * _guard(t),
+            "zmp.x": lambda t: 0.012 * _guard(t),
+        },
+    )
+
+
+def _guard(t):
+    return ease(t, GUARD[0], GUARD[1]) - ease(t, GUARD[2], GUARD[3])
+
+
+def _out(t, start: float):
+    """0 in the guard, 1 with the fist out."""
+    return ease(t, start, start + OUT_S) - ease(t, start + OUT_S + HELD_S, start + OUT_S + HELD_S + BACK_S)
+
+
+def _arm(side: str, turn: str) -> Curve:
+    idle, guard, punch = STANDING[f"{side}.{turn}"], GUARD_ARM[turn], PUNCH_ARM[turn]
+
+    def curve(t):
+        value = idle + (guard - idle) * _guard(t)
+        for start, arm in PUNCHES:
+            if arm == side:
+                value = value + (punch - guard) * _out(t, start)
+        return value
+
+    return curve
+
+
+def _twist(degrees: float) -> Curve:
+    """The shoulder of the punching arm comes forward."""
+
+    def curve(t):
+        value = 0.0 * t
+        for start, arm in PUNCHES:
+            turn = -degrees if arm == "left" else degrees
+            value = value + turn * (ease(t, start - 0.06, start + OUT_S + 0.02) - ease(t, start + OUT_S + HELD_S, start + 0.76))
+        return value
+
+    return curve
