@@ -88,6 +88,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("balance.w_com", 0.0, "COM target between above the COS (0) and the kinematic target's offset (1), Eq. 3.9", 0.0, 1.0),
         Tunable("balance.w_vel", 0.4, "weight of the COM velocity compensation, Eq. 3.10 and 3.11", 0.0, 1.0, "s"),
         Tunable("balance.ankle_clamp_rad", 0.1, "largest ankle error handed to the PD law, thesis 3.4.3", 0.005, 0.5, "rad"),
+        Tunable("control.rate_hz", "120", "how often gains, gravity torque and balance are computed anew", unit="Hz", choices=("60", "120", "240", "480")),
         # physics
         Tunable("physics.step_s", 1.0 / 480.0, "physics time step; rounded to a whole number of steps in 1/60 s", 0.00001, 1.0 / 60.0, "s", log=True, restart=True),
         Tunable("physics.integrator", "discrete", "discrete, implicitfast or euler with stable PD, or explicit: the thesis's torques evaluated at the start of the step", choices=("discrete", "implicitfast", "euler", "explicit"), restart=True),

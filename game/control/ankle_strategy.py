@@ -1,0 +1,97 @@
+"""The thesis's balance strategy: the ankles turn so that the COM comes to stand over the centre of support (3.4.3)."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation
+from game.characters.skeleton import ANKLES, FEET, PARTS
+from game.control.gains import gains
+from game.control.gravity_feedforward import gravity_torque
+from game.control.joint_command import BodyState, JointCommand
+from game.target.kinematic_target import KinematicTarget
+from game.tunables import Settings
+
+Floats = NDArray[np.float64]
+
+_SHANKS = (PARTS.index("lower_leg_left"), PARTS.index("lower_leg_right"))
+
+
+def left_share(target_com: Floats, left_foot: Floats, right_foot: Floats, contact: tuple[bool, bool]) -> float:
+    """Share of the support that the left foot is to bear: where the target's COM lies between its feet, 1 or 0 on one foot."""
+    if contact[0] != contact[1]:
+        return 1.0 if contact[0] else 0.0
+    across = (right_foot - left_foot)[:2]
+    along = float((target_com - left_foot)[:2] @ across) / max(float(across @ across), 1e-9)
+    return 1.0 - min(max(along, 0.0), 1.0)
+
+
+def com_target(com: Floats, com_velocity: Floats, target_offset: Floats, w_com: float, w_vel: float) -> Floats:
+    """Where the COM shall come to lie relative to the COS, Eq. 3.9 to 3.11; com (3,) is relative to the COS too.
+
+    The velocity term enters with a minus: with the plus sign of Eq. 3.11 as printed the body falls within a second.
+    """
+    above = np.array([0.0, 0.0, com[2]])
+    p_com = w_com * target_offset + (1.0 - w_com) * above
+    length = max(float(np.sqrt(p_com @ p_com)), 1e-9)
+    direction = p_com / length
+    across = com_velocity - (com_velocity @ direction) * direction
+    speed = float(np.sqrt(across @ across))
+    if speed > length:
+        across = across * (length / speed)
+    return p_com - w_vel * across
+
+
+class AnkleStrategy:
+    """Balance strategy `ankle`; keeps nothing between ticks. Its readable fields are for the overlay's balance layer."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self.cos = np.zeros(3)
+        self.com_target = np.zeros(3)
+        self.left_share = 0.5
+
+    def reset(self, dynamics: BodyState) -> None:
+        self.cos = 0.5 * (dynamics.box_centre[FEET[0]] + dynamics.box_centre[FEET[1]])
+        self.com_target = dynamics.com.copy()
+        self.left_share = 0.5
+
+    def command(self, target: KinematicTarget, dynamics: BodyState, dt: float) -> JointCommand:
+        settings = self._settings
+        kp, kd = gains(dynamics, settings.number("pd.kp_hat"), settings.choice("pd.ratio"))
+        rotations = target.joint_rotation.copy()
+        velocity = target.joint_velocity.copy()
+        correction = self._correction(target, dynamics)
+        clamp = settings.number("balance.ankle_clamp_rad")
+        for side, (ankle, foot, shank) in enumerate(zip(ANKLES, FEET, _SHANKS, strict=True)):
+            turn = correction if dynamics.foot_contact[side] else rotation.IDENTITY
+            turned_shank = rotation.multiply(turn, dynamics.orientation[shank])
+            flat = rotation.about_z(rotation.yaw(turned_shank))
+            wanted = rotation.multiply(rotation.conjugate(turned_shank), flat)
+            current = rotation.multiply(rotation.conjugate(dynamics.orientation[shank]), dynamics.orientation[foot])
+            error = rotation.log(rotation.multiply(rotation.conjugate(current), wanted))
+            size = float(np.sqrt(error @ error))
+            if size > clamp:
+                error = error * (clamp / size)
+            rotations[ankle] = rotation.multiply(current, rotation.exp(error))
+            velocity[3 * ankle : 3 * ankle + 3] = 0.0
+        feedforward = np.zeros_like(kp)
+        if settings.switch("pd.gravity_feedforward"):
+            feedforward = gravity_torque(dynamics, self.left_share)
+        return JointCommand(rotations, velocity, kp, kd, feedforward)
+
+    def _correction(self, target: KinematicTarget, dynamics: BodyState) -> Floats:
+        """The turn (4,) of the whole body about the COS that brings the COM to its target."""
+        feet = target.pose.joint[list(FEET)]
+        self.left_share = left_share(target.com, feet[0], feet[1], dynamics.foot_contact)
+        w = self.left_share
+        cos = w * dynamics.box_centre[FEET[0]] + (1.0 - w) * dynamics.box_centre[FEET[1]]
+        target_cos = w * feet[0] + (1.0 - w) * feet[1]
+        heading = rotation.yaw(dynamics.orientation[0]) - rotation.yaw(target.root_orientation)
+        offset = rotation.rotate(rotation.about_z(heading), target.com - target_cos)
+        com = dynamics.com - cos
+        settings = self._settings
+        goal = com_target(com, dynamics.com_velocity, offset, settings.number("balance.w_com"), settings.number("balance.w_vel"))
+        self.cos, self.com_target = cos, cos + goal
+        if com[2] < 0.1 or goal[2] < 0.1:
+            return rotation.IDENTITY
+        return rotation.between(com, goal)

@@ -1,0 +1,78 @@
+"""From the sensor's frame to the room's: the tilted sensor put level over its floor (thesis 3.3.1)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation
+from kinect.body import BodyFrame, Floor, Joint
+
+Floats = NDArray[np.float64]
+
+ANKLE_ABOVE_SOLE_M = 0.08
+SENSOR_DISTANCE_M = 2.5
+"""Where the sensor hangs in the room: it stands this far in front of the world origin (thesis 4.1)."""
+
+_UP = np.array([0.0, 1.0, 0.0])
+
+
+@dataclass(frozen=True)
+class WorldFrame:
+    """One intake frame in the world frame: time_s, joints (20, 3) m, raw (20, 3) before smoothing, heading of the frame as is."""
+
+    time_s: float
+    joints: Floats
+    raw: Floats
+    held: bool = False
+
+
+def level_over_floor(positions: Floats, floor: Floor) -> Floats:
+    """Joints (..., 3) of a tilted sensor, turned by the smallest rotation that makes the floor's normal vertical and raised onto it.
+
+    Still the sensor's axes (x left, y up, z away), the origin on the floor under the sensor.
+    """
+    normal = np.array([floor.a, floor.b, floor.c])
+    length = float(np.sqrt(normal @ normal))
+    level = rotation.rotate(rotation.between(normal, _UP), positions)
+    level[..., 1] += floor.d / length
+    return level
+
+
+def to_world(level: Floats) -> Floats:
+    """Levelled sensor axes to world axes; the one place where the two meet.
+
+        sensor: x to its left, y up, z away        world: x forward (towards the sensor), y left, z up
+
+                 person o  --> world x (faces the sensor)
+                        |
+                  world y (the person's left = sensor's -x)
+
+    world = (2.5 m - z, -x, y): a person 2.5 m before the sensor stands at the origin and faces +x.
+    """
+    return np.stack((SENSOR_DISTANCE_M - level[..., 2], -level[..., 0], level[..., 1]), axis=-1)
+
+
+def floor_from_ankles(positions: Floats) -> Floor:
+    """A level floor under the lower of the two ankles of one frame (20, 3), where the sensor reports none."""
+    lowest = float(np.nanmin(positions[[Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT], 1]))
+    return Floor(0.0, 1.0, 0.0, ANKLE_ABOVE_SOLE_M - lowest)
+
+
+class Levelling:
+    """Applies the frame's floor, or keeps the last one, or the lowest resting ankles seen so far."""
+
+    def __init__(self) -> None:
+        self._floor: Floor | None = None
+        self._guessed = True
+
+    def apply(self, frame: BodyFrame) -> Floats:
+        """Joints (20, 3) of the frame in the world frame, metres."""
+        if frame.floor is not None and all(np.isfinite(frame.floor)) and np.hypot(np.hypot(*frame.floor[:2]), frame.floor[2]) > 0.1:
+            self._floor, self._guessed = frame.floor, False
+        elif self._guessed:
+            guess = floor_from_ankles(frame.positions)
+            if self._floor is None or guess.d > self._floor.d:
+                self._floor = guess
+        assert self._floor is not None
+        return to_world(level_over_floor(frame.positions, self._floor))

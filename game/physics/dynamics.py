@@ -1,0 +1,108 @@
+"""A read-only view of one character's dynamics, for control, scenes and reports. World frame, SI units."""
+
+from functools import cached_property
+
+import mujoco as mj
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation
+from game.characters.body_plan import BodyPlan
+from game.characters.skeleton import DOF_COUNT, FEET, PART_COUNT
+
+Floats = NDArray[np.float64]
+
+POSITION_COUNT = 63
+"""Root position 3 and quaternion 4, fourteen joint quaternions."""
+
+CONTACT_HEIGHT_M = 0.004
+"""A foot whose lowest corner is below this stands on the floor."""
+
+_CORNERS = np.array([[x, y, -1.0] for x in (-1.0, 1.0) for y in (-1.0, 1.0)] + [[x, y, 1.0] for x in (-1.0, 1.0) for y in (-1.0, 1.0)])
+
+
+class BodyDynamics:
+    """Character `index` of a world. `refresh` after the world's kinematics have been brought up to date."""
+
+    def __init__(self, model: mj.MjModel, data: mj.MjData, plan: BodyPlan, index: int) -> None:
+        self._model, self._data, self.plan = model, data, plan
+        first = 1 + PART_COUNT * index
+        self.root_body = first
+        self.bodies = slice(first, first + PART_COUNT)
+        self.dofs = slice(DOF_COUNT * index, DOF_COUNT * (index + 1))
+        self.joint_dofs = slice(DOF_COUNT * index + 6, DOF_COUNT * (index + 1))
+        self.coordinates = slice(POSITION_COUNT * index, POSITION_COUNT * (index + 1))
+        self.subtree_mass: Floats = np.array(model.body_subtreemass[self.bodies])
+        self._foot_half = plan.size[list(FEET)] / 2.0
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Copy what the last kinematics pass left in the data, and forget what was derived from older states."""
+        data = self._data
+        self.orientation: Floats = data.xquat[self.bodies].copy()
+        self.joint: Floats = data.xpos[self.bodies].copy()
+        self.box_centre: Floats = data.xipos[self.bodies].copy()
+        self.subtree_com: Floats = data.subtree_com[self.bodies].copy()
+        self.com: Floats = self.subtree_com[0]
+        for name in ("com_velocity", "foot_corners", "foot_contact", "com_jacobian"):
+            self.__dict__.pop(name, None)
+
+    @property
+    def gravity(self) -> float:
+        """m/s^2, positive."""
+        return -float(self._model.opt.gravity[2])
+
+    @property
+    def configuration(self) -> Floats:
+        """(63,) qpos of this character."""
+        return self._data.qpos[self.coordinates].copy()
+
+    @property
+    def velocity(self) -> Floats:
+        """(48,) qvel: root linear (world), root angular (root frame), joints (child frames)."""
+        return self._data.qvel[self.dofs].copy()
+
+    @property
+    def joint_rotation(self) -> Floats:
+        """(14, 4) child in parent frame."""
+        return self._data.qpos[self.coordinates][7:].reshape(-1, 4).copy()
+
+    @cached_property
+    def com_jacobian(self) -> Floats:
+        """(3, 48) of the centre of mass."""
+        full = np.empty((3, self._model.nv))
+        mj.mj_jacSubtreeCom(self._model, self._data, full, self.root_body)
+        return full[:, self.dofs]
+
+    @cached_property
+    def com_velocity(self) -> Floats:
+        """(3,) m/s."""
+        return self.com_jacobian @ self._data.qvel[self.dofs]
+
+    @property
+    def mass_matrix(self) -> Floats:
+        """(48, 48)"""
+        full = np.empty((self._model.nv, self._model.nv))
+        mj.mj_fullM(self._model, self._data, full)
+        return full[self.dofs, self.dofs]
+
+    @property
+    def bias(self) -> Floats:
+        """(48,) Coriolis, centrifugal and gravity forces."""
+        return self._data.qfrc_bias[self.dofs].copy()
+
+    @cached_property
+    def foot_corners(self) -> Floats:
+        """(2, 8, 3) corners of the left and right foot box."""
+        feet = list(FEET)
+        local = self._foot_half[:, None, :] * _CORNERS
+        return self.box_centre[feet][:, None, :] + rotation.rotate(self.orientation[feet][:, None, :], local)
+
+    @cached_property
+    def foot_contact(self) -> tuple[bool, bool]:
+        """Left, right foot: lowest corner below 4 mm."""
+        lowest = self.foot_corners[:, :, 2].min(axis=1)
+        return bool(lowest[0] < CONTACT_HEIGHT_M), bool(lowest[1] < CONTACT_HEIGHT_M)
+
+    def com_height(self) -> float:
+        return float(self.com[2])

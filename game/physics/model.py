@@ -1,0 +1,74 @@
+"""The MuJoCo model of a floor and one or more box characters, through MjSpec."""
+
+from collections.abc import Sequence
+
+import mujoco as mj
+
+from game.characters.body_plan import BodyPlan
+from game.characters.skeleton import JOINTS, PARENT, PARTS
+
+FLOOR_BIT = 1
+INTEGRATORS = {
+    "discrete": mj.mjtIntegrator.mjINT_DISCRETE,
+    "implicitfast": mj.mjtIntegrator.mjINT_IMPLICITFAST,
+    "euler": mj.mjtIntegrator.mjINT_EULER,
+    "explicit": mj.mjtIntegrator.mjINT_EULER,
+}
+
+
+def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, friction: float, self_collision: bool) -> mj.MjModel:
+    """A floor and the characters, named `c0.pelvis`, `c1.pelvis` ...; bodies, joints and DOFs in the order of `PARTS`.
+
+    Characters collide with the floor and with each other; with their own parts only if `self_collision`.
+    """
+    spec = mj.MjSpec()
+    spec.option.timestep = step_s
+    spec.option.integrator = INTEGRATORS[integrator]
+    # the momentum balance of the honesty meter needs the contact solve to converge to rounding
+    spec.option.tolerance = 1e-12
+    spec.option.cone = mj.mjtCone.mjCONE_ELLIPTIC
+    spec.option.impratio = 10.0
+    # a failed step must show, not silently restart the world
+    spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_AUTORESET
+    if integrator == "explicit":
+        spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_EULERDAMP
+    spec.worldbody.add_geom(
+        name="floor", type=mj.mjtGeom.mjGEOM_PLANE, size=[20, 20, 1], friction=[friction, 0.005, 0.0001], contype=FLOOR_BIT, conaffinity=0, solref=SOLREF
+    )
+    for index, plan in enumerate(plans):
+        _add_character(spec, plan, index, len(plans), friction, self_collision)
+    return spec.compile()
+
+
+SOLREF = [0.01, 1.0]
+
+
+def _add_character(spec: mj.MjSpec, plan: BodyPlan, index: int, count: int, friction: float, self_collision: bool) -> None:
+    own = FLOOR_BIT << (index + 1)
+    others = sum(FLOOR_BIT << (i + 1) for i in range(count) if i != index)
+    touches = FLOOR_BIT | others | (own if self_collision else 0)
+    bodies = []
+    for part, name in enumerate(PARTS):
+        parent = spec.worldbody if part == 0 else bodies[PARENT[part]]
+        place = plan.joint[0] if part == 0 else plan.joint_offset[part]
+        body = parent.add_body(name=f"c{index}.{name}", pos=place)
+        if part == 0:
+            body.add_freejoint(name=f"c{index}.root")
+        else:
+            body.add_joint(name=f"c{index}.{JOINTS[part - 1]}", type=mj.mjtJoint.mjJNT_BALL)
+        body.add_geom(
+            name=f"c{index}.{name}",
+            type=mj.mjtGeom.mjGEOM_BOX,
+            pos=plan.centre_offset[part],
+            size=plan.size[part] / 2.0,
+            mass=plan.mass[part],
+            friction=[friction, 0.005, 0.0001],
+            contype=own,
+            conaffinity=touches,
+            solref=SOLREF,
+        )
+        bodies.append(body)
+    hang = spec.add_equality(name=f"c{index}.hang", type=mj.mjtEq.mjEQ_WELD, objtype=mj.mjtObj.mjOBJ_BODY)
+    hang.name1 = f"c{index}.pelvis"
+    hang.active = False
+    hang.solref = [0.01, 1.0]

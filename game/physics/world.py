@@ -1,0 +1,181 @@
+"""The physical world: characters on a floor, stepped with stable PD torques, metered, guarded and repeatable."""
+
+import hashlib
+from collections.abc import Sequence
+
+import mujoco as mj
+import numpy as np
+from numpy.typing import NDArray
+
+from game.characters.body_plan import BodyPlan
+from game.control.joint_command import JointCommand
+from game.physics.actuation import Actuation
+from game.physics.dynamics import BodyDynamics
+from game.physics.guard import command_is_sound, unsound_characters
+from game.physics.honesty import HonestyMeter, Push
+from game.physics.model import build_model
+from game.physics.state_ring import StateRing
+from game.tunables import Settings
+
+Floats = NDArray[np.float64]
+
+FRAME_HZ = 60
+
+
+def steps_per_frame(step_s: float) -> int:
+    """Whole physics steps in a 60 Hz frame; the step is rounded so that they fill it exactly."""
+    return max(1, round(1.0 / (FRAME_HZ * step_s)))
+
+
+class World:
+    """One MuJoCo world with its characters. `step` is the only way time passes."""
+
+    def __init__(self, plans: Sequence[BodyPlan], settings: Settings) -> None:
+        self._settings = settings
+        self.steps_per_frame = steps_per_frame(settings.number("physics.step_s"))
+        integrator = settings.choice("physics.integrator")
+        self.model = build_model(
+            plans,
+            step_s=1.0 / (FRAME_HZ * self.steps_per_frame),
+            integrator=integrator,
+            friction=settings.number("physics.friction"),
+            self_collision=settings.switch("physics.self_collision"),
+        )
+        self.data = mj.MjData(self.model)
+        mj.mj_forward(self.model, self.data)
+        self.characters = [BodyDynamics(self.model, self.data, plan, index) for index, plan in enumerate(plans)]
+        self.actuation = Actuation(self.model, self.data, self.characters, explicit=integrator == "explicit")
+        self.meter = HonestyMeter(self.model, self.data, self.characters)
+        self.ring = StateRing(self.model, self.data)
+        self.step_count = 0
+        self.guard_actions = 0
+        self.faults: list[str] = []
+        self.peak_torque: Floats = np.zeros(self.model.nv)
+        self._pushes: list[tuple[int, Push]] = []
+        self._limp: set[int] = set()
+        self._commands: list[JointCommand | None] = [None] * len(plans)
+        self._digest = hashlib.sha256()
+        self._friction = settings.number("physics.friction")
+
+    @property
+    def step_s(self) -> float:
+        return float(self.model.opt.timestep)
+
+    def place(self, index: int, root_position: Floats, root_orientation: Floats, joint_rotation: Floats) -> None:
+        """Put character `index` into a pose at rest; stated, so the meter goes on from there."""
+        body = self.characters[index]
+        self.data.qpos[body.coordinates] = np.concatenate((root_position, root_orientation, joint_rotation.reshape(-1)))
+        self.data.qvel[body.dofs] = 0.0
+        mj.mj_forward(self.model, self.data)
+        self.meter.accept_state()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Bring kinematics up to the present state, for control and drawing."""
+        mj.mj_kinematics(self.model, self.data)
+        mj.mj_comPos(self.model, self.data)
+        for body in self.characters:
+            body.refresh()
+
+    def command(self, index: int, command: JointCommand) -> None:
+        """The joint command of character `index` from the next step on; an unsound one makes it limp until a sound one comes."""
+        if command_is_sound(command):
+            self._limp.discard(index)
+            self._commands[index] = command
+            self.actuation.set(index, command)
+        else:
+            self._fault(index, "its joint command is not finite or not a rotation")
+            self._limp.add(index)
+            self.actuation.relax(index)
+
+    def push(self, index: int, part: int, force: Floats, steps: int) -> None:
+        """State a push: `force` (3,) N in the world at the centre of part `part`, for `steps` steps from now on."""
+        body = self.characters[index].root_body + part
+        self._pushes.append((self.step_count + steps, Push(index, body, np.asarray(force, dtype=np.float64), np.zeros(3))))
+
+    def step(self) -> None:
+        """Advance by one physics step."""
+        data = self.data
+        self._set_friction()
+        self._mend(unsound_characters(self.characters, data.qpos, data.qvel))
+        self.meter.before_step()
+        self.ring.push()
+        pushes = self._apply_pushes()
+        self.actuation.apply()
+        mj.mj_step(self.model, data)
+        failed = unsound_characters(self.characters, data.qpos, data.qvel)
+        if failed:
+            self._repeat(failed)
+        self.actuation.settle()
+        np.maximum(self.peak_torque, np.abs(self.actuation.torque), out=self.peak_torque)
+        self.meter.after_step(pushes)
+        self.step_count += 1
+        self._digest.update(data.qpos.tobytes())
+        self._digest.update(data.qvel.tobytes())
+
+    @property
+    def state_sha256(self) -> str:
+        """Over the float64 qpos and qvel of every step so far."""
+        return self._digest.hexdigest()
+
+    @property
+    def warnings(self) -> int:
+        """MuJoCo's own warnings so far."""
+        return int(sum(w.number for w in self.data.warning))
+
+    def _set_friction(self) -> None:
+        wanted = self._settings.number("physics.friction")
+        if wanted != self._friction:
+            self._friction = wanted
+            self.model.geom_friction[:, 0] = wanted
+
+    def _apply_pushes(self) -> list[Push]:
+        """Write the pushes that still last; the point is the part's centre at the start of this step."""
+        if not self._pushes:
+            return []
+        for _, push in self._pushes:
+            self.data.xfrc_applied[push.body] = 0.0
+        self._pushes = [(until, push) for until, push in self._pushes if until > self.step_count]
+        mj.mj_kinematics(self.model, self.data)
+        active = []
+        for _, push in self._pushes:
+            self.data.xfrc_applied[push.body, :3] += push.force
+            active.append(Push(push.character, push.body, push.force, self.data.xipos[push.body].copy()))
+        return active
+
+    def _fault(self, index: int, what: str) -> None:
+        self.guard_actions += 1
+        if len(self.faults) < 100:
+            self.faults.append(f"step {self.step_count}: character {index} goes limp, {what}")
+
+    def _mend(self, broken: list[int]) -> None:
+        """A state that was no state at the start of a step: those characters go back to the last sound one, at rest and limp."""
+        if not broken or len(self.ring) == 0:
+            return
+        size = self.model.nq
+        last = self.ring.state(0)
+        for index in broken:
+            body = self.characters[index]
+            self._fault(index, "its state was not finite; it goes on from the last sound one")
+            # mjSTATE_INTEGRATION begins with time, then qpos, then qvel
+            self.data.qpos[body.coordinates] = last[1:][body.coordinates]
+            self.data.qvel[body.dofs] = last[1 + size :][body.dofs]
+            self.data.qacc_warmstart[body.dofs] = 0.0
+            self.actuation.relax(index)
+        self.meter.accept_state()
+
+    def _repeat(self, failed: list[int]) -> None:
+        """Roll the step back and take it again with the offenders limp; if that fails too, they keep still for this step."""
+        for index in failed:
+            self._fault(index, "its step failed and was repeated")
+            self.actuation.relax(index)
+        self.ring.restore()
+        self.actuation.apply()
+        mj.mj_step(self.model, self.data)
+        again = unsound_characters(self.characters, self.data.qpos, self.data.qvel)
+        if again:
+            self.ring.restore()
+            for index in again:
+                self.data.qvel[self.characters[index].dofs] = 0.0
+            self.meter.accept_state()
+            mj.mj_step(self.model, self.data)

@@ -1,0 +1,110 @@
+"""The kinematic target: what the character should look like at a frame of the input (thesis section 3.3)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation
+from game.characters.body_plan import BodyPlan
+from game.characters.skeleton import JOINT_COUNT, PARTS
+from game.target.calibration import Calibration
+from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
+from game.target.inverse_kinematics import SOLVERS, clamp_targets
+from game.target.jacobian import end_effector_jacobian
+from game.target.mapping import map_orientations, map_positions
+from game.tunables import Settings
+from kinect.body import Joint
+
+Floats = NDArray[np.float64]
+
+_EFFECTOR_JOINTS = [Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT, Joint.WRIST_LEFT, Joint.WRIST_RIGHT, Joint.SHOULDER_CENTER]
+_EFFECTOR_PARTS = [PARTS.index(name) for name in ("foot_left", "foot_right", "hand_left", "hand_right", "head")]
+
+
+@dataclass(frozen=True)
+class MappedInput:
+    """The input on the character's skeleton before any processing.
+
+    root_position (3,), root_orientation (4,), joint_rotation (14, 4) child in parent, end_effector (5, 3) world metres
+    in the order of `END_EFFECTORS`: the sensed places, which the fixed skeleton need not reach.
+    """
+
+    root_position: Floats
+    root_orientation: Floats
+    joint_rotation: Floats
+    end_effector: Floats
+
+
+@dataclass(frozen=True)
+class KinematicTarget:
+    """The pose to be tracked. World frame, metres, radians, seconds.
+
+    root_position (3,), root_orientation (4,); joint_rotation (14, 4) child in parent frame;
+    joint_velocity (42,) rad/s in the child frame; pose: world pose of all parts; com (3,); mapped: the input it came from
+    (unsmoothed).
+    """
+
+    time_s: float
+    root_position: Floats
+    root_orientation: Floats
+    joint_rotation: Floats
+    joint_velocity: Floats
+    pose: PosedSkeleton
+    com: Floats
+    mapped: MappedInput
+
+
+def map_input(joints: Floats, calibration: Calibration) -> MappedInput:
+    """Sensed joints (20, 3), world frame, as a pose of the character with the sensed end-effector places."""
+    root, joint_rotation = map_orientations(joints, calibration)
+    placed = map_positions(joints, calibration)
+    effector = placed[_EFFECTOR_JOINTS]
+    trunk = rotation.multiply(root, joint_rotation[0])
+    effector[2:4] += rotation.rotate(trunk, calibration.shoulder_offset)
+    effector[4] += rotation.rotate(trunk, calibration.neck_offset)
+    position = placed[Joint.HIP_CENTER] + rotation.rotate(root, calibration.root_offset)
+    return MappedInput(position, root, joint_rotation, effector)
+
+
+class TargetTracker:
+    """Turns frames into kinematic targets: one step of inverse kinematics a frame, from the previous target's pose."""
+
+    def __init__(self, plan: BodyPlan, calibration: Calibration, settings: Settings) -> None:
+        self._plan = plan
+        self._calibration = calibration
+        self._settings = settings
+        self._last: KinematicTarget | None = None
+
+    def step(self, time_s: float, joints: Floats, raw: Floats) -> KinematicTarget:
+        """The target for joints (20, 3) in the world frame; `raw` are the same joints before smoothing."""
+        mapped = map_input(joints, self._calibration)
+        raw_mapped = mapped if raw is joints else map_input(raw, self._calibration)
+        rotations = self._solve(mapped)
+        pose = pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, rotations)
+        velocity = np.zeros(3 * JOINT_COUNT)
+        if self._last is not None and time_s > self._last.time_s:
+            turned = rotation.multiply(rotation.conjugate(self._last.joint_rotation), rotations)
+            velocity = rotation.log(turned).reshape(-1) / (time_s - self._last.time_s)
+        com = pose.centre_of_mass(self._plan)
+        target = KinematicTarget(time_s, mapped.root_position, mapped.root_orientation, rotations, velocity, pose, com, raw_mapped)
+        self._last = target
+        return target
+
+    def _solve(self, mapped: MappedInput) -> Floats:
+        method = self._settings.choice("ik.method")
+        if method == "none":
+            return mapped.joint_rotation
+        previous = mapped.joint_rotation if self._last is None else self._last.joint_rotation
+        pose = pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, previous)
+        error = clamp_targets(mapped.end_effector - pose.joint[_EFFECTOR_PARTS], self._settings.number("ik.target_clamp_m"))
+        # phi: what is still to turn, in the parent's frame
+        phi = rotation.log(rotation.multiply(mapped.joint_rotation, rotation.conjugate(previous)))
+        step = SOLVERS[method](
+            end_effector_jacobian(pose),
+            error.reshape(-1),
+            phi.reshape(-1),
+            self._settings.number("ik.damping"),
+            self._settings.number("ik.pose_weight"),
+        )
+        return rotation.normalise(rotation.multiply(rotation.exp(step.reshape(-1, 3)), previous))

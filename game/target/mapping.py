@@ -1,0 +1,81 @@
+"""From twenty sensed joints to the character's joint orientations: parent-child pairs with fixed offsets (thesis 3.3.2)."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation
+from game.characters.skeleton import LEVELS, PART_COUNT, PARTS
+from kinect.body import Joint
+
+if TYPE_CHECKING:
+    from game.target.calibration import Calibration
+
+Floats = NDArray[np.float64]
+
+_BONE = {
+    "pelvis": (Joint.HIP_CENTER, Joint.SPINE),
+    "trunk": (Joint.SPINE, Joint.SHOULDER_CENTER),
+    "head": (Joint.SHOULDER_CENTER, Joint.HEAD),
+    "upper_arm_left": (Joint.SHOULDER_LEFT, Joint.ELBOW_LEFT),
+    "lower_arm_left": (Joint.ELBOW_LEFT, Joint.WRIST_LEFT),
+    "hand_left": (Joint.WRIST_LEFT, Joint.HAND_LEFT),
+    "upper_arm_right": (Joint.SHOULDER_RIGHT, Joint.ELBOW_RIGHT),
+    "lower_arm_right": (Joint.ELBOW_RIGHT, Joint.WRIST_RIGHT),
+    "hand_right": (Joint.WRIST_RIGHT, Joint.HAND_RIGHT),
+    "upper_leg_left": (Joint.HIP_LEFT, Joint.KNEE_LEFT),
+    "lower_leg_left": (Joint.KNEE_LEFT, Joint.ANKLE_LEFT),
+    "foot_left": (Joint.ANKLE_LEFT, Joint.FOOT_LEFT),
+    "upper_leg_right": (Joint.HIP_RIGHT, Joint.KNEE_RIGHT),
+    "lower_leg_right": (Joint.KNEE_RIGHT, Joint.ANKLE_RIGHT),
+    "foot_right": (Joint.ANKLE_RIGHT, Joint.FOOT_RIGHT),
+}
+_FROM = np.array([_BONE[name][0] for name in PARTS])
+_TO = np.array([_BONE[name][1] for name in PARTS])
+_SWINGING = [(parts[parts != 1], parents[parts != 1]) for parts, parents in LEVELS]
+
+
+def bone_directions(joints: Floats) -> Floats:
+    """(15, 3) unit direction of the sensed bone that stands for each part; joints (20, 3)."""
+    d = joints[_TO] - joints[_FROM]
+    return d / np.maximum(np.sqrt(np.sum(d * d, axis=1, keepdims=True)), 1e-9)
+
+
+def pelvis_orientation(joints: Floats) -> Floats:
+    """(4,) orientation of the sensed pelvis: y from the right to the left hip exactly, up towards the spine."""
+    y = joints[Joint.HIP_LEFT] - joints[Joint.HIP_RIGHT]
+    up = joints[Joint.SPINE] - 0.5 * (joints[Joint.HIP_LEFT] + joints[Joint.HIP_RIGHT])
+    y = y / max(float(np.sqrt(y @ y)), 1e-9)
+    return rotation.from_axes(y, up - (up @ y) * y)
+
+
+def trunk_orientation(joints: Floats) -> Floats:
+    """(4,) orientation of the sensed trunk: up from spine to shoulder centre exactly, y towards the left shoulder."""
+    return rotation.from_axes(joints[Joint.SHOULDER_LEFT] - joints[Joint.SHOULDER_RIGHT], joints[Joint.SHOULDER_CENTER] - joints[Joint.SPINE])
+
+
+def map_orientations(joints: Floats, calibration: "Calibration") -> tuple[Floats, Floats]:
+    """Root orientation (4,) and joint rotations (14, 4), child in parent frame, from joints (20, 3) in the world frame.
+
+    Pelvis and trunk follow two directions each; every other part swings its idle direction to the sensed bone, without twist.
+    """
+    direction = bone_directions(joints)
+    world = np.empty((PART_COUNT, 4))
+    local = np.empty((PART_COUNT, 4))
+    world[0] = rotation.multiply(pelvis_orientation(joints), calibration.pelvis)
+    world[1] = rotation.multiply(trunk_orientation(joints), calibration.trunk)
+    local[1] = rotation.multiply(rotation.conjugate(world[0]), world[1])
+    for parts, parents in _SWINGING:
+        if len(parts):
+            of_parent = world[parents]
+            local[parts] = rotation.between(calibration.idle_direction[parts], rotation.unrotate(of_parent, direction[parts]))
+            world[parts] = rotation.multiply(of_parent, local[parts])
+    return world[0], local[1:]
+
+
+def map_positions(joints: Floats, calibration: "Calibration") -> Floats:
+    """Sensed joints (20, 3), world frame, scaled to the character's size, its floor and its starting place."""
+    placed = calibration.scale * (joints - calibration.origin)
+    placed[:, 2] += calibration.rise_m
+    return placed
