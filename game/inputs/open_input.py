@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
+from game.inputs.sensor_noise import SensorNoise
 from kinect.source import BodySource
 
 
@@ -24,7 +25,7 @@ class Input:
 
 
 def open_input(spec: str, *, noise: float = 0.0, latency_s: float = 0.0, outliers: float = 0.0, seed: int = 0) -> BodySource:
-    """The source that `spec` names, behind the sensor model where it is synthetic and any of its settings is not 0.
+    """The source that `spec` names; a synthetic one comes inside a `SensorNoise`, whose settings may change while it plays.
 
     Raises InputError where the spec is not valid or the recording cannot be read.
     """
@@ -34,7 +35,8 @@ def open_input(spec: str, *, noise: float = 0.0, latency_s: float = 0.0, outlier
         raise InputError(f"there is no input {spec!r}; valid: {valid_forms()}.")
     if bool(argument) != (":" in entry.form):
         raise InputError(f"the input {spec!r} does not have the form {entry.form}; valid: {valid_forms()}.")
-    return entry.opens(argument, seed)
+    source = entry.opens(argument, seed)
+    return SensorNoise(source, noise, latency_s, outliers, seed) if entry.synthetic else source
 
 
 def valid_forms() -> str:

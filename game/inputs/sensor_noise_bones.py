@@ -1,0 +1,77 @@
+"""Bones that change their length with the pose, as the sensor's skeleton does: slowly, and the same again in the same pose.
+
+A bone's error is a smooth random function of the whole pose, most of all of its own direction, so a body that
+rests keeps its (wrong) lengths and a body that moves shows the spread of `BONE_CV`.
+"""
+
+from typing import Final
+
+import numpy as np
+
+from game.inputs.sensor_noise_table import BONE_CV
+from kinect.body import BONES, JOINT_COUNT, Floats, Joint
+
+_WAVES: Final = 8  # cosines a bone; more make the error's distribution more Gaussian
+_OWN: Final = 2.5  # radians of phase a unit change of the bone's own direction brings
+_OTHERS: Final = 0.8
+_LARGEST: Final = 0.7  # a bone never loses or gains more than this share
+_PARENT: Final = np.array([parent for parent, _ in BONES])
+_CHILD: Final = np.array([child for _, child in BONES])
+_INCIDENCE: Final = np.zeros((len(BONES), JOINT_COUNT))
+_INCIDENCE[np.arange(len(BONES)), _CHILD] = 1.0
+_INCIDENCE[np.arange(len(BONES)), _PARENT] = -1.0
+
+# spread over BONE_CV, solved so that the performer's motions show BONE_CV in the median: no motion visits every pose
+_ARM: Final = (1.87, 1.78, 1.68, 1.69)
+_LEG: Final = (1.74, 1.54, 1.64, 1.91)
+_GAIN: Final[Floats] = np.array([1.48, 1.64, 1.83, *_ARM, *_ARM, *_LEG, *_LEG])  # in the order of BONES
+
+
+def _mobility() -> Floats:
+    """How readily the sensor misplaces each joint, (20,): seen ankles stay put, hands go anywhere."""
+    mobility = np.ones(JOINT_COUNT)
+    for joints, value in (
+        ((Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT), 0.15),
+        ((Joint.ELBOW_LEFT, Joint.ELBOW_RIGHT), 2.0),
+        ((Joint.WRIST_LEFT, Joint.WRIST_RIGHT), 3.0),
+        ((Joint.HAND_LEFT, Joint.HAND_RIGHT), 8.0),
+        ((Joint.FOOT_LEFT, Joint.FOOT_RIGHT), 3.0),
+    ):
+        mobility[list(joints)] = value
+    return mobility
+
+
+_MOBILITY: Final[Floats] = _mobility()
+
+
+class BoneLengthBias:
+    """Displaces joints so that every bone has the length the sensor would report in this pose."""
+
+    def __init__(self, rng: np.random.Generator) -> None:
+        bones = len(BONES)
+        reach = np.full((bones, bones), _OTHERS)
+        reach[np.arange(bones), np.arange(bones)] = _OWN
+        self._waves = rng.standard_normal((bones, _WAVES, bones, 3)) * reach[:, None, :, None]
+        self._waves = self._waves.reshape(bones * _WAVES, bones * 3)
+        self._phases = rng.uniform(0.0, 2.0 * np.pi, bones * _WAVES)
+
+    def shares(self, directions: Floats) -> Floats:
+        """Relative change of each bone at scale 1, (19,), for unit bone directions (19, 3)."""
+        waves = np.cos(self._waves @ directions.reshape(-1) + self._phases).reshape(len(BONES), _WAVES)
+        spread = waves.sum(axis=1) * np.sqrt(2.0 / _WAVES)
+        return np.clip(BONE_CV * _GAIN * spread, -_LARGEST, _LARGEST)
+
+    def displacement(self, positions: Floats, scale: float) -> Floats:
+        """The smallest weighted joint displacement, (20, 3) metres, that changes every bone's length by its share.
+
+        To first order along each bone u_b . (d_child - d_parent) = share_b length_b: a weighted minimum-norm solution.
+        """
+        bones = np.nan_to_num(positions[_CHILD] - positions[_PARENT])
+        lengths = np.linalg.norm(bones, axis=1)
+        directions = bones / np.maximum(lengths, 1e-6)[:, None]
+        change = np.clip(scale * self.shares(directions), -_LARGEST, _LARGEST) * lengths
+        rows = _INCIDENCE[:, :, None] * directions[:, None, :]  # (19, 20, 3)
+        flat = rows.reshape(len(BONES), -1)
+        weighted = (rows * _MOBILITY[None, :, None]).reshape(len(BONES), -1)
+        gram = weighted @ flat.T + 1e-9 * np.eye(len(BONES))
+        return (weighted.T @ np.linalg.solve(gram, change)).reshape(JOINT_COUNT, 3)
