@@ -44,7 +44,7 @@ def dynamic_ratio(state: BodyState) -> Floats:
     rest = (total * state.subtree_com[0] - mass[:, None] * beyond) / rest_mass[:, None]
     affected_mass = np.where(_IS_LEG, rest_mass, mass)
     affected = np.where(_IS_LEG[:, None], rest, beyond)
-    arm = rotation.unrotate(state.orientation[1:], affected - state.joint[1:])
+    arm = rotation.turn_back(state.turn[1:], affected - state.joint[1:])
     squared = arm * arm
     length_squared = np.sum(squared, axis=1, keepdims=True)
     radius = np.sqrt(np.maximum(length_squared - squared, LEAST_RADIUS_SHARE**2 * length_squared))

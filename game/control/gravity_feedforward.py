@@ -28,4 +28,4 @@ def gravity_torque(state: BodyState, left_share: float) -> Floats:
         moment[leg] -= rotation.cross(state.box_centre[foot] - joint[leg], share * weight)
     moment[_ANKLES] = 0.0
     assert moment.shape == (JOINT_COUNT, 3)
-    return rotation.unrotate(state.orientation[1:], -moment).reshape(-1)
+    return rotation.turn_back(state.turn[1:], -moment).reshape(-1)

@@ -30,6 +30,8 @@ class BodyState(Protocol):
 
     orientation: Floats
     """(15, 4) of the parts."""
+    turn: Floats
+    """(15, 3, 3) the same as matrices, part to world."""
     joint: Floats
     """(15, 3) joint centres, row 0 the root point."""
     box_centre: Floats

@@ -17,41 +17,56 @@ FLOOR = -1
 class ContactForces:
     """The n contacts of one step, world frame.
 
-    point (n, 3) m; force (n, 3) N on the second partner; normal (n,) and tangential (n,) N; friction (n,);
-    first, second (n,): character index of the partners, -1 for the floor; part_first, part_second (n,): index into `PARTS`.
+    point (n, 3) m; force (n, 3) N on the second partner; wrench (n, 6) in the contact's frame, normal first;
+    friction (n,); body (n, 2): MuJoCo body ids of the partners, 0 for the floor.
     """
 
     point: Floats
     force: Floats
-    normal: Floats
-    tangential: Floats
+    wrench: Floats
     friction: Floats
-    first: NDArray[np.int64]
-    second: NDArray[np.int64]
-    part_first: NDArray[np.int64]
-    part_second: NDArray[np.int64]
+    body: NDArray[np.int64]
+
+    @property
+    def character(self) -> NDArray[np.int64]:
+        """(n, 2) character index of the partners, -1 for the floor."""
+        return (self.body - 1) // PART_COUNT
+
+    @property
+    def part(self) -> NDArray[np.int64]:
+        """(n, 2) index into `PARTS` of the partners; of no meaning for the floor."""
+        return (self.body - 1) % PART_COUNT
+
+    @property
+    def tangential(self) -> Floats:
+        """(n,) N, size of the friction force."""
+        return np.hypot(self.wrench[:, 1], self.wrench[:, 2])
+
+    def on_characters(self, count: int) -> Floats:
+        """(count, n) +1 where the contact's force acts on the character, -1 where its reaction does, else 0."""
+        who = self.character
+        row = np.arange(count)[:, None]
+        return (row == who[:, 1]).astype(float) - (row == who[:, 0])
+
+    def pairs(self) -> list[tuple[int, int]]:
+        """Character indices of the partners, contact by contact."""
+        return [(a, b) for a, b in self.character.tolist()]
+
+    def cone_excess_n(self) -> float:
+        """How far the worst contact leaves the friction cone: negative normal force, or tangential force beyond mu N."""
+        normal = self.wrench[:, 0]
+        return float(max((-normal).max(), (self.tangential - self.friction * normal).max()))
 
 
-def contact_forces(model: mj.MjModel, data: mj.MjData) -> ContactForces:
-    """All contacts of the step just taken; positions are those of its start, where the forces were applied."""
+def contact_forces(model: mj.MjModel, data: mj.MjData) -> ContactForces | None:
+    """All contacts of the step just taken, None where there are none; points are those of its start, where the forces acted."""
     count = data.ncon
+    if count == 0:
+        return None
     contacts = data.contact
-    wrench = np.zeros((count, 6))
+    wrench = np.empty((count, 6))
     for i in range(count):
         mj.mj_contactForce(model, data, i, wrench[i])
     frame = contacts.frame.reshape(-1, 3, 3)
-    force = (wrench[:, None, :3] @ frame)[:, 0, :] if count else np.zeros((0, 3))
-    body = model.geom_bodyid[contacts.geom.reshape(-1, 2)]
-    character = np.where(body > 0, (body - 1) // PART_COUNT, FLOOR)
-    part = np.where(body > 0, (body - 1) % PART_COUNT, FLOOR)
-    return ContactForces(
-        contacts.pos.reshape(-1, 3),
-        force,
-        wrench[:, 0],
-        np.sqrt(wrench[:, 1] ** 2 + wrench[:, 2] ** 2),
-        contacts.friction.reshape(-1, 5)[:, 0],
-        character[:, 0],
-        character[:, 1],
-        part[:, 0],
-        part[:, 1],
-    )
+    force = (wrench[:, None, :3] @ frame)[:, 0, :]
+    return ContactForces(contacts.pos.reshape(-1, 3), force, wrench, contacts.friction.reshape(-1, 5)[:, 0], model.geom_bodyid[contacts.geom])

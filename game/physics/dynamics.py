@@ -6,7 +6,6 @@ import mujoco as mj
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
 from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import DOF_COUNT, FEET, PART_COUNT
 
@@ -40,6 +39,7 @@ class BodyDynamics:
         """Copy what the last kinematics pass left in the data, and forget what was derived from older states."""
         data = self._data
         self.orientation: Floats = data.xquat[self.bodies].copy()
+        self.turn: Floats = data.xmat[self.bodies].reshape(-1, 3, 3).copy()
         self.joint: Floats = data.xpos[self.bodies].copy()
         self.box_centre: Floats = data.xipos[self.bodies].copy()
         self.subtree_com: Floats = data.subtree_com[self.bodies].copy()
@@ -96,7 +96,7 @@ class BodyDynamics:
         """(2, 8, 3) corners of the left and right foot box."""
         feet = list(FEET)
         local = self._foot_half[:, None, :] * _CORNERS
-        return self.box_centre[feet][:, None, :] + rotation.rotate(self.orientation[feet][:, None, :], local)
+        return self.box_centre[feet][:, None, :] + local @ self.turn[feet].transpose(0, 2, 1)
 
     @cached_property
     def foot_contact(self) -> tuple[bool, bool]:

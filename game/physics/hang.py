@@ -23,7 +23,7 @@ def hanging_root(plan: BodyPlan, place_xy: Floats, heading_rad: float, joint_rot
     pose = pose_skeleton(plan, np.array([*place_xy, 0.0]), orientation, joint_rotation)
     centres = pose.box_centres(plan)
     feet = list(FEET)
-    corners = centres[feet][:, None, :] + rotation.rotate(pose.orientation[feet][:, None, :], plan.size[feet][:, None, :] / 2.0 * _CORNERS)
+    corners = centres[feet][:, None, :] + (plan.size[feet][:, None, :] / 2.0 * _CORNERS) @ pose.turn[feet].transpose(0, 2, 1)
     return np.array([*place_xy, SOLE_CLEARANCE_M - float(corners[..., 2].min())]), orientation
 
 

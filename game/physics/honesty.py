@@ -11,6 +11,7 @@ import mujoco as mj
 import numpy as np
 from numpy.typing import NDArray
 
+from game import rotation
 from game.physics.contacts import FLOOR, ContactForces, contact_forces
 from game.physics.dynamics import BodyDynamics
 
@@ -33,84 +34,79 @@ class HonestyMeter:
     def __init__(self, model: mj.MjModel, data: mj.MjData, bodies: Sequence[BodyDynamics]) -> None:
         self._model, self._data, self._bodies = model, data, bodies
         self._roots = np.concatenate([np.arange(b.dofs.start, b.dofs.start + 6) for b in bodies])
+        self._root_bodies = np.array([b.root_body for b in bodies])
+        # views: MuJoCo steps in place
+        self._position, self._velocity = data.qpos, data.qvel
         self._end_position = data.qpos.copy()
         self._end_velocity = data.qvel.copy()
         self._momentum = np.empty(model.nv)
-        self.contacts: ContactForces = contact_forces(model, data)
+        self.contacts: ContactForces | None = None
         self.restart()
 
     def restart(self) -> None:
         """Forget what was measured; the present state becomes the one to go on from."""
         self.unexplained_force_n: Floats = np.zeros(len(self._bodies))
         self.unexplained_torque_nm: Floats = np.zeros(len(self._bodies))
-        self.partners: set[str] = set()
+        self._pairs: set[tuple[int, int]] = set()
         self.worst_cone_excess_n = 0.0
         self.accept_state()
 
     def accept_state(self) -> None:
         """The present state is where the last step ended (after a stated placement or a roll-back)."""
-        np.copyto(self._end_position, self._data.qpos)
-        np.copyto(self._end_velocity, self._data.qvel)
+        np.copyto(self._end_position, self._position)
+        np.copyto(self._end_velocity, self._velocity)
 
-    def before_step(self) -> None:
-        """Compare the state with the end of the last step; a written state counts as the force that would have caused it."""
-        data = self._data
-        if np.array_equal(data.qpos, self._end_position) and np.array_equal(data.qvel, self._end_velocity):
-            return
-        h = self._model.opt.timestep
+    def before_step(self) -> bool:
+        """True where the state is that in which the last step ended; a written one counts as the force that would have caused it."""
+        if (self._position == self._end_position).all() and (self._velocity == self._end_velocity).all():
+            return True
+        data, h = self._data, self._model.opt.timestep
         jump = np.empty(self._model.nv)
-        mj.mj_differentiatePos(self._model, jump, h * h, self._end_position, data.qpos)
-        jump += (data.qvel - self._end_velocity) / h
+        mj.mj_differentiatePos(self._model, jump, h * h, self._end_position, self._position)
+        jump += (self._velocity - self._end_velocity) / h
         mj.mj_forward(self._model, data)
         self._record(self._through_mass(jump))
         self.accept_state()
+        return False
 
     def after_step(self, pushes: Sequence[Push]) -> None:
         """Take the step's balance. The data still holds M, c and contacts of its start."""
         data, h = self._data, self._model.opt.timestep
-        residual = self._through_mass((data.qvel - self._end_velocity) / h) + data.qfrc_bias[self._roots].reshape(-1, 6)
-        self.contacts = found = contact_forces(self._model, data)
-        for row, body in enumerate(self._bodies):
-            for side, sign in ((found.first, -1.0), (found.second, 1.0)):
-                mine = side == row
-                if mine.any():
-                    residual[row] -= self._root_force(body, sign * found.force[mine], found.point[mine])
-            for push in pushes:
-                if push.character == row:
-                    residual[row] -= self._root_force(body, push.force[None], push.point[None])
+        residual = self._through_mass((self._velocity - self._end_velocity) / h) + data.qfrc_bias[self._roots].reshape(-1, 6)
+        found = contact_forces(self._model, data)
+        if found is not None:
+            residual -= self._root_forces(found.on_characters(len(self._bodies)), found.force, found.point)
+            self.worst_cone_excess_n = max(self.worst_cone_excess_n, found.cone_excess_n())
+            self._pairs.update(found.pairs())
+        self.contacts = found
+        for push in pushes:
+            on = (np.arange(len(self._bodies)) == push.character).astype(float)[:, None]
+            residual -= self._root_forces(on, push.force[None], push.point[None])
         self._record(residual)
-        self._note_partners(found)
         self.accept_state()
+
+    @property
+    def partners(self) -> list[str]:
+        """Between whom contact forces acted since `restart`: "floor - c0", "c0 - c1"."""
+        return sorted(" - ".join("floor" if c == FLOOR else f"c{c}" for c in pair) for pair in {tuple(sorted(p)) for p in self._pairs})
 
     def _through_mass(self, acceleration: Floats) -> Floats:
         mj.mj_mulM(self._model, self._data, self._momentum, acceleration)
         return self._momentum[self._roots].reshape(-1, 6)
 
-    def _root_force(self, body: BodyDynamics, force: Floats, point: Floats) -> Floats:
-        """(6,) generalised force on the root of forces (n, 3) at points (n, 3): world force, torque in the root's frame."""
-        origin = self._data.xpos[body.root_body]
-        arm = point - origin
-        out = np.empty(6)
-        out[:3] = force.sum(axis=0)
-        torque = np.array(
-            [
-                (arm[:, 1] * force[:, 2] - arm[:, 2] * force[:, 1]).sum(),
-                (arm[:, 2] * force[:, 0] - arm[:, 0] * force[:, 2]).sum(),
-                (arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0]).sum(),
-            ]
-        )
-        out[3:] = torque @ self._data.xmat[body.root_body].reshape(3, 3)
+    def _root_forces(self, on: Floats, force: Floats, point: Floats) -> Floats:
+        """(characters, 6) generalised forces on the roots: `on` (characters, n) says with which sign forces (n, 3) at points act.
+
+        World force, and torque about the root in the root's frame, as in MuJoCo's free joint.
+        """
+        out = np.empty((len(on), 6))
+        out[:, :3] = on @ force
+        about_world_origin = on @ rotation.cross(point, force)
+        about_root = about_world_origin - rotation.cross(self._data.xpos[self._root_bodies], out[:, :3])
+        out[:, 3:] = rotation.turn_back(self._data.xmat[self._root_bodies].reshape(-1, 3, 3), about_root)
         return out
 
     def _record(self, residual: Floats) -> None:
         squared = residual * residual
         np.maximum(self.unexplained_force_n, np.sqrt(squared[:, :3].sum(axis=1)), out=self.unexplained_force_n)
         np.maximum(self.unexplained_torque_nm, np.sqrt(squared[:, 3:].sum(axis=1)), out=self.unexplained_torque_nm)
-
-    def _note_partners(self, found: ContactForces) -> None:
-        if len(found.normal) == 0:
-            return
-        excess = np.maximum(-found.normal, found.tangential - found.friction * found.normal)
-        self.worst_cone_excess_n = max(self.worst_cone_excess_n, float(excess.max()))
-        for a, b in set(zip(found.first.tolist(), found.second.tolist(), strict=True)):
-            self.partners.add(" - ".join("floor" if c == FLOOR else f"c{c}" for c in sorted((a, b))))

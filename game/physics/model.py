@@ -24,10 +24,10 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
     spec = mj.MjSpec()
     spec.option.timestep = step_s
     spec.option.integrator = INTEGRATORS[integrator]
-    # the momentum balance of the honesty meter needs the contact solve to converge to rounding
+    # the momentum balance of the honesty meter needs the contact solve to converge to rounding: with the elliptic cone
+    # it stops at 4 mN, with the pyramidal one at 4e-10 N
     spec.option.tolerance = 1e-12
-    spec.option.cone = mj.mjtCone.mjCONE_ELLIPTIC
-    spec.option.impratio = 10.0
+    spec.option.cone = mj.mjtCone.mjCONE_PYRAMIDAL
     # a failed step must show, not silently restart the world
     spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_AUTORESET
     if integrator == "explicit":

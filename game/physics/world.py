@@ -43,6 +43,8 @@ class World:
         )
         self.data = mj.MjData(self.model)
         mj.mj_forward(self.model, self.data)
+        # views: MuJoCo steps in place
+        self._position, self._velocity = self.data.qpos, self.data.qvel
         self.characters = [BodyDynamics(self.model, self.data, plan, index) for index, plan in enumerate(plans)]
         self.actuation = Actuation(self.model, self.data, self.characters, explicit=integrator == "explicit")
         self.meter = HonestyMeter(self.model, self.data, self.characters)
@@ -97,21 +99,21 @@ class World:
         """Advance by one physics step."""
         data = self.data
         self._set_friction()
-        self._mend(unsound_characters(self.characters, data.qpos, data.qvel))
-        self.meter.before_step()
+        if not self.meter.before_step():
+            self._mend(unsound_characters(self.characters, self._position, self._velocity))
         self.ring.push()
         pushes = self._apply_pushes()
         self.actuation.apply()
         mj.mj_step(self.model, data)
-        failed = unsound_characters(self.characters, data.qpos, data.qvel)
+        failed = unsound_characters(self.characters, self._position, self._velocity)
         if failed:
             self._repeat(failed)
         self.actuation.settle()
         np.maximum(self.peak_torque, np.abs(self.actuation.torque), out=self.peak_torque)
         self.meter.after_step(pushes)
         self.step_count += 1
-        self._digest.update(data.qpos.tobytes())
-        self._digest.update(data.qvel.tobytes())
+        self._digest.update(self._position)
+        self._digest.update(self._velocity)
 
     @property
     def state_sha256(self) -> str:

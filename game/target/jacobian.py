@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
 from game.characters.skeleton import END_EFFECTOR_PARTS, JOINT_COUNT, PARENT, is_ancestor
 from game.target.forward_kinematics import PosedSkeleton
 
@@ -22,7 +21,7 @@ def end_effector_jacobian(pose: PosedSkeleton) -> Floats:
     Column v_j x (s_i - p_j), v_j the axis of the parent segment, p_j the joint centre, s_i the end-effector.
     """
     arm = pose.joint[_EFFECTOR_PART] - pose.joint[_JOINT + 1]
-    axes = rotation.matrix(pose.orientation[_PARENT])
+    axes = pose.turn[_PARENT]
     block = np.empty((len(_JOINT), 3, 3))
     # (v x arm) for the three columns v of each parent's orientation matrix at once
     block[:, 0, :] = axes[:, 1, :] * arm[:, 2, None] - axes[:, 2, :] * arm[:, 1, None]

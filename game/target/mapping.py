@@ -61,17 +61,17 @@ def map_orientations(joints: Floats, calibration: "Calibration") -> tuple[Floats
     Pelvis and trunk follow two directions each; every other part swings its idle direction to the sensed bone, without twist.
     """
     direction = bone_directions(joints)
-    world = np.empty((PART_COUNT, 4))
+    turn = np.empty((PART_COUNT, 3, 3))
     local = np.empty((PART_COUNT, 4))
-    world[0] = rotation.multiply(pelvis_orientation(joints), calibration.pelvis)
-    world[1] = rotation.multiply(trunk_orientation(joints), calibration.trunk)
-    local[1] = rotation.multiply(rotation.conjugate(world[0]), world[1])
+    root = rotation.multiply(pelvis_orientation(joints), calibration.pelvis)
+    trunk = rotation.multiply(trunk_orientation(joints), calibration.trunk)
+    local[1] = rotation.multiply(rotation.conjugate(root), trunk)
+    turn[0], turn[1] = rotation.matrix(root), rotation.matrix(trunk)
     for parts, parents in _SWINGING:
-        if len(parts):
-            of_parent = world[parents]
-            local[parts] = rotation.between(calibration.idle_direction[parts], rotation.unrotate(of_parent, direction[parts]))
-            world[parts] = rotation.multiply(of_parent, local[parts])
-    return world[0], local[1:]
+        of_parent = turn[parents]
+        local[parts] = rotation.between(calibration.idle_direction[parts], rotation.turn_back(of_parent, direction[parts]))
+        turn[parts] = of_parent @ rotation.matrix(local[parts])
+    return root, local[1:]
 
 
 def map_positions(joints: Floats, calibration: "Calibration") -> Floats:
