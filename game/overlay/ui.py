@@ -1,0 +1,111 @@
+"""The overlay of one window: Dear ImGui with its own GLFW and OpenGL back ends."""
+
+import ctypes
+
+import glfw
+from imgui_bundle import ImVec2, imgui, implot
+
+from game.overlay.hud import Hud
+from game.overlay.ink import Ink
+from game.overlay.menu import Menu, draw_help
+from game.overlay.plots_panel import draw_plots
+from game.overlay.style import apply_style, interface_scale, load_fonts
+from game.overlay.tuning_panel import TuningPanel
+from game.overlay.view import Shown, View
+
+
+class Overlay:
+    """Draws a View over the picture and takes keys and mouse first.
+
+    Make it after the window's own GLFW callbacks are set: Dear ImGui puts itself before them and hands every event on.
+    """
+
+    def __init__(self, handle: object) -> None:
+        """handle: the GLFW window whose OpenGL context is current."""
+        self.shown = Shown()
+        self._handle = handle
+        self._context = imgui.create_context()
+        self._plots = implot.create_context()
+        io = imgui.get_io()
+        io.set_ini_filename("")  # positions are the layout's business, and no imgui.ini is left in the working directory
+        io.set_log_filename("")
+        self.fonts = load_fonts()
+        self.address: int = ctypes.cast(handle, ctypes.c_void_p).value or 0  # type: ignore[arg-type]
+        imgui.backends.glfw_init_for_opengl(self.address, True)
+        imgui.backends.opengl3_init("#version 330")
+        self.hud = Hud()
+        self.panel = TuningPanel(self.fonts)
+        self.menu = Menu(self.fonts)
+        self._scale = 0.0
+        self._rescale()
+
+    @property
+    def wants_mouse(self) -> bool:
+        """True while the mouse is over, or dragging in, a window of the overlay."""
+        self._make_current()
+        return imgui.get_io().want_capture_mouse
+
+    @property
+    def wants_text(self) -> bool:
+        """True while a text field takes the keys."""
+        self._make_current()
+        return imgui.get_io().want_text_input
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the screen in overlay units, the unit of mouse positions."""
+        width, height = glfw.get_window_size(self._handle)
+        return float(width), float(height)
+
+    @property
+    def scale(self) -> float:
+        """Overlay units per pixel of the design at 720 lines."""
+        return self._scale
+
+    def draw(self, view: View) -> None:
+        """Build and draw one frame of the overlay into the default framebuffer, whose viewport is the whole window."""
+        self._make_current()
+        self._rescale()
+        self._navigate(self.shown.menu)
+        imgui.backends.opengl3_new_frame()
+        imgui.backends.glfw_new_frame()
+        imgui.new_frame()
+        size = self.size
+        self.hud.draw(Ink(self.fonts, self._scale), view, self.shown, size)
+        draw_plots(view, self.shown, self.fonts, size)
+        self.panel.draw(view, self.shown, size)
+        self.menu.draw(view, self.shown, size)
+        draw_help(view, self.shown, self.fonts, size)
+        imgui.render()
+        imgui.backends.opengl3_render_draw_data(imgui.get_draw_data())
+
+    def close(self) -> None:
+        """Give back everything; the window must still be there. Calling it twice is harmless."""
+        if self._context is None:
+            return
+        self._make_current()
+        imgui.backends.opengl3_shutdown()
+        imgui.backends.glfw_shutdown()
+        implot.destroy_context(self._plots)
+        imgui.destroy_context(self._context)
+        self._context = None
+
+    def _make_current(self) -> None:
+        imgui.set_current_context(self._context)
+        implot.set_current_context(self._plots)
+
+    def _navigate(self, on: bool) -> None:
+        """Arrow keys and gamepad walk through the menu; elsewhere they belong to the game."""
+        io = imgui.get_io()
+        flags = imgui.ConfigFlags_.nav_enable_keyboard | imgui.ConfigFlags_.nav_enable_gamepad
+        io.config_flags = io.config_flags | flags if on else io.config_flags & ~flags
+
+    def _rescale(self) -> None:
+        height = glfw.get_framebuffer_size(self._handle)[1]
+        units = max(1, glfw.get_window_size(self._handle)[1])
+        scale = interface_scale(height, glfw.get_window_content_scale(self._handle)[0]) * units / max(1, height)
+        if abs(scale - self._scale) > 1e-3:
+            self._scale = scale
+            apply_style(scale)
+            implot.get_style().plot_padding = ImVec2(4.0 * scale, 4.0 * scale)
+            implot.get_style().label_padding = ImVec2(3.0 * scale, 3.0 * scale)
