@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
+MATERIALS = ("plain", "planks", "wood", "plaster", "fabric", "rug", "painting", "outdoors", "screen")
+"""planks to fabric repeat over the surface; rug to screen are pictures, one to each face."""
+
 
 @dataclass(frozen=True)
 class Boxes:
@@ -17,6 +20,7 @@ class Boxes:
 
     position (N, 3) m; orientation (N, 4) unit quaternions; half_size (N, 3) m; colour (N, 4);
     bevel_m: radius of the rounded edges; roughness 0 (mirror) .. 1 (chalk); emission: light given off (0 none).
+    material: what the surface is made of, one of MATERIALS; inside_out: a room, seen only from within.
     """
 
     position: Floats
@@ -27,6 +31,8 @@ class Boxes:
     roughness: float = 0.6
     emission: float = 0.0
     casts_shadow: bool = True
+    material: str = "plain"
+    inside_out: bool = False
 
 
 @dataclass(frozen=True)

@@ -100,6 +100,10 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("picture.fov_deg", 40.0, "vertical field of view of the camera", 20.0, 90.0, "deg"),
         Tunable("picture.light_azimuth_deg", 35.0, "compass direction the main light comes from", -180.0, 180.0, "deg"),
         Tunable("picture.light_height_deg", 55.0, "height of the main light above the horizon", 10.0, 85.0, "deg"),
+        Tunable("picture.lamps", 1.0, "brightness of everything in the room that glows: floor lamp, window, television", 0.0, 3.0),
+        Tunable("picture.saturation", 1.0, "strength of the colours; 0 is grey", 0.0, 2.0),
+        Tunable("picture.vignette", 0.35, "darkening towards the corners of the picture", 0.0, 1.0),
+        Tunable("picture.glow", 0.12, "light that bright things bleed over their surroundings (medium and high quality)", 0.0, 0.5),
         # layers
         Tunable("layer.target", False, "the kinematic target as a translucent ghost"),
         Tunable("layer.input", False, "the input joints as spheres with bones"),

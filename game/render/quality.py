@@ -1,0 +1,39 @@
+"""What each quality preset spends on the picture."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+QualityName = Literal["low", "medium", "high"]
+
+
+@dataclass(frozen=True)
+class Quality:
+    """samples: of multisampling, 0 off; occlusion_taps: of screen-space ambient occlusion, 0 leaves the contact shading alone."""
+
+    shadow_size: int
+    shadow_taps: int
+    soft_shadows: bool
+    samples: int
+    occlusion_taps: int
+    glow: bool
+    gloss: bool
+    lamps: int
+    edge_segments: int
+    round_segments: int
+    material_size: int
+    anisotropy: float
+
+
+QUALITIES: Mapping[str, Quality] = {
+    "low": Quality(1024, 4, False, 0, 0, False, False, 2, 1, 3, 256, 1.0),
+    "medium": Quality(2048, 8, False, 4, 8, True, True, 3, 2, 5, 512, 4.0),
+    "high": Quality(2048, 16, True, 4, 16, True, True, 3, 3, 8, 512, 8.0),
+}
+
+
+def quality_named(name: str) -> Quality:
+    """The preset; raises ValueError naming the valid ones."""
+    if name not in QUALITIES:
+        raise ValueError(f"there is no quality {name!r}; valid: {', '.join(QUALITIES)}.")
+    return QUALITIES[name]

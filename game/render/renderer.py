@@ -1,0 +1,159 @@
+"""Draws what a scene lists: solids with shadows, ambient light and lamps, then ghosts and lines, then the film.
+
+The renderer knows arrays only. Layers that a scene hands out again and again as the same objects (the furniture) are uploaded once.
+"""
+
+import math
+from collections.abc import Sequence
+
+import moderngl
+import numpy as np
+
+from game.drawables import Layer
+from game.render.camera import FAR_M, NEAR_M, Camera
+from game.render.contact_map import CENTRE_M, EXTENT_M, ContactMap
+from game.render.finish import Finish
+from game.render.instances import Packed, Rows, pack
+from game.render.lights import find_lamps, room_lights, shadow_matrix
+from game.render.materials import paint_materials
+from game.render.matrices import Matrix
+from game.render.occlusion import OcclusionPrograms
+from game.render.quality import quality_named
+from game.render.see_through import Ghosts, Strokes
+from game.render.shader_source import assign
+from game.render.shadow_map import ShadowMap
+from game.render.solids import Solids
+from game.render.static_layers import StaticLayers
+from game.render.targets import Targets
+from game.tunables import Settings
+
+_MATERIALS, _SHADOW, _SHADOW_DEPTH, _CONTACT, _OCCLUSION = range(5)
+_BACKGROUND = (0.05, 0.045, 0.04)
+
+
+class Renderer:
+    """Everything the graphics card needs to draw a room. quality: low, medium or high. Belongs to one context and thread."""
+
+    def __init__(self, ctx: moderngl.Context, quality: str, settings: Settings) -> None:
+        self.ctx, self.quality, self.settings = ctx, quality_named(quality), settings
+        self._solids = Solids(ctx, self.quality)
+        self._ghosts: Ghosts | None = None
+        self._strokes: Strokes | None = None
+        self._materials = paint_materials(ctx, self.quality.material_size, self.quality.anisotropy)
+        self._shadow = ShadowMap(ctx, self.quality.shadow_size)
+        self._contact = ContactMap(ctx)
+        self._occlusion = OcclusionPrograms(ctx, self.quality.occlusion_taps) if self.quality.occlusion_taps else None
+        self._finish = Finish(ctx, self.quality.glow)
+        self._targets: Targets | None = None
+        self._static = StaticLayers()
+        self._fixed = Packed()
+        self._lamps_from: Rows = self._fixed.edged
+        self._adopted = -1
+        self._light_matrix: Matrix = ()
+        self._assign_units()
+
+    @property
+    def fixed_uploads(self) -> int:
+        """How often standing solids were sent to the graphics card."""
+        return self._solids.fixed_uploads
+
+    def render(self, layers: Sequence[Layer], camera: Camera, framebuffer: moderngl.Framebuffer, size: tuple[int, int]) -> None:
+        """Draw the layers as the camera sees them into the framebuffer of (width, height) pixels."""
+        if size[0] < 1 or size[1] < 1:
+            return  # a minimised window
+        targets = self._fit_targets(size)
+        moving = self._take(layers)
+        fov_deg = self.settings.number("picture.fov_deg")
+        matrix = camera.view_projection(size[0] / size[1], fov_deg)
+        self._shadow.draw(self._solids.batches, self._solids.depth, self._light_matrix)
+        self._contact.draw(self._solids.batches)
+        if targets.occlusion is not None:
+            slope = math.tan(camera.fov_rad(fov_deg) / 2.0)
+            lens = (slope * size[0] / size[1], slope, NEAR_M, FAR_M)
+            targets.occlusion.draw(self._solids.batches, self._solids.depth, matrix, lens)
+        self._draw_solids(matrix, camera, targets)
+        if len(moving.ghosts):
+            self._ghosts = self._ghosts or Ghosts(self.ctx)
+            self._ghosts.draw(moving.ghosts, matrix, camera.eye, targets.canvas)
+        for rows, on_top in ((self._fixed.strokes, False), (moving.strokes, False), (self._fixed.strokes_on_top, True), (moving.strokes_on_top, True)):
+            if len(rows):
+                self._strokes = self._strokes or Strokes(self.ctx)
+                self._strokes.draw(rows, matrix, size, targets.canvas, on_top)
+        targets.resolve()
+        self._finish.draw(targets.picture, targets.glow, framebuffer, size)
+
+    def release(self) -> None:
+        """Give everything back to the driver."""
+        for held in (self._solids, self._ghosts, self._strokes, self._materials, self._shadow, self._contact, self._occlusion, self._finish, self._targets):
+            if held is not None:
+                held.release()
+
+    def _take(self, layers: Sequence[Layer]) -> Packed:
+        fixed, moving, changed = self._static.split(layers)
+        packed = pack(moving)
+        if changed:
+            self._fixed = pack(fixed)
+            self._solids.upload_fixed(self._fixed)
+        self._solids.upload_moving(packed)
+        glowing = tuple(rows[rows[:, 16] > 0.0] for rows in (self._fixed.edged, self._fixed.round, packed.edged, packed.round))
+        lamps = np.concatenate(glowing)
+        if self._adopted != self.settings.version or lamps.shape != self._lamps_from.shape or not np.array_equal(lamps, self._lamps_from):
+            self._lamps_from = lamps
+            self._adopt_settings()
+        return packed
+
+    def _adopt_settings(self) -> None:
+        self._adopted = self.settings.version
+        lights = room_lights(self.settings)
+        self._light_matrix = shadow_matrix(lights.to_light)
+        places, colours = find_lamps(self._lamps_from, self.settings.number("picture.lamps"), self.quality.lamps)
+        assign(
+            self._solids.surface,
+            u_light=self._light_matrix,
+            u_to_light=lights.to_light,
+            u_key=lights.key,
+            u_sky=lights.sky,
+            u_ground=lights.ground,
+            u_rim=lights.rim,
+            u_lamp=places,
+            u_lamp_colour=colours,
+            u_ambient_occlusion=self.settings.number("picture.ambient_occlusion"),
+        )
+        self._finish.adopt(self.settings)
+
+    def _assign_units(self) -> None:
+        assign(
+            self._solids.surface,
+            u_materials=_MATERIALS,
+            u_shadow_map=_SHADOW,
+            u_shadow_depth=_SHADOW_DEPTH,
+            u_contact=_CONTACT,
+            u_occlusion=_OCCLUSION,
+            u_shadow_texel=self._shadow.texel,
+            u_inflate=0.0,
+        )
+        floor = (*CENTRE_M, 1.0 / EXTENT_M, 0.0)
+        assign(self._solids.surface, u_floor=floor)
+        assign(self._solids.contact, u_floor=floor)
+
+    def _fit_targets(self, size: tuple[int, int]) -> Targets:
+        if self._targets is None or self._targets.size != size:
+            if self._targets is not None:
+                self._targets.release()
+            self._targets = Targets(self.ctx, self.quality, self._occlusion, size)
+            assign(self._solids.surface, u_occlusion_scale=(1.0 / size[0], 1.0 / size[1]))
+        return self._targets
+
+    def _draw_solids(self, matrix: Matrix, camera: Camera, targets: Targets) -> None:
+        targets.canvas.use()
+        targets.canvas.clear(*_BACKGROUND, 1.0, depth=1.0)
+        self._materials.use(_MATERIALS)
+        self._contact.texture.use(_CONTACT)
+        if targets.occlusion is not None:
+            targets.occlusion.texture.use(_OCCLUSION)
+        self._shadow.bind(_SHADOW, _SHADOW_DEPTH)
+        assign(self._solids.surface, u_view_projection=matrix, u_eye=camera.eye)
+        self.ctx.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
+        for batch in self._solids.batches:
+            batch.draw("surface")
+        self._shadow.unbind(_SHADOW, _SHADOW_DEPTH)
