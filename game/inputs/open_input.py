@@ -17,7 +17,10 @@ class InputError(ValueError):
 
 @dataclass(frozen=True)
 class Input:
-    """One kind of input. form: how to ask for it; opens(argument, seed) makes the source; synthetic: the sensor model applies."""
+    """One kind of input.
+
+    form: how to ask for it. opens: makes the source from what follows the colon and a seed. synthetic: the sensor model applies.
+    """
 
     form: str
     opens: Callable[[str, int], BodySource]
@@ -62,7 +65,28 @@ def _performer(argument: str, _seed: int) -> BodySource:
         raise InputError(str(fault)) from fault
 
 
+def _puppet(_argument: str, _seed: int) -> BodySource:
+    from game.inputs.puppet import Puppet
+
+    return Puppet()
+
+
+def _script(_argument: str, seed: int) -> BodySource:
+    from game.inputs.puppet_script import ScriptedPuppet
+
+    return ScriptedPuppet(seed)
+
+
+def _auto(_argument: str, _seed: int) -> BodySource:
+    from game.inputs.puppet import Puppet
+
+    return Puppet(greeting="No tracked Kinect yet, so keys and gamepad steer a puppet.")
+
+
 INPUTS: Final[Mapping[str, Input]] = {
     "clip": Input("clip:PATH", _clip, synthetic=False),
     "performer": Input("performer:NAME", _performer),
+    "puppet": Input("puppet", _puppet),
+    "script": Input("script", _script),
+    "auto": Input("auto", _auto),
 }

@@ -28,7 +28,8 @@ class Puppet:
     Bones are rigid, the centre of mass moves as an inverted pendulum over the feet, wishes pass critically damped filters.
     """
 
-    def __init__(self, controls: PuppetControls | None = None, player: int = 0) -> None:
+    def __init__(self, controls: PuppetControls | None = None, player: int = 0, greeting: str = "Keys and gamepad steer a puppet.") -> None:
+        self._greeting = greeting
         self.controls = controls if controls is not None else PuppetControls()
         self._player = player
         self._posture = Posture()
@@ -45,7 +46,7 @@ class Puppet:
     @property
     def status(self) -> str:
         doing = self._footwork.move
-        return f"The puppet follows keys and gamepad{f' (a {doing})' if doing else ''}."
+        return f"{self._greeting} It does a {doing}." if doing else self._greeting
 
     @property
     def length_s(self) -> float | None:

@@ -21,7 +21,7 @@ _READY_M: Final = 0.025  # the foot lifts once the capture point is this near to
 _LONGEST_SHIFT_S: Final = 1.0
 
 STEP_S: Final = 0.48
-KICK_S: Final = 0.95
+KICK_S: Final = 1.10
 CROUCHED_S, LEAVES_S, LANDS_S, ABSORBED_S, JUMP_S = 0.50, 0.84, 1.075, 1.385, 2.10
 _FLIGHT_S: Final = LANDS_S - LEAVES_S
 _LEAVES_M, _LANDS_M, _LOW_M = 0.015, -0.005, -0.150
@@ -41,12 +41,12 @@ _SWINGS: Final[Mapping[Move, Mapping[str, Curve]]] = {
         "foot.flex": bump(0.0, STEP_S, -10.0),
     },
     "kick": {
-        "foot.lift": keys((0.0, 0.0), (0.32, 0.28), (0.50, 0.34), (0.58, 0.34), (KICK_S, 0.0)),
-        "foot.forward": keys((0.0, 0.0), (0.24, -0.03), (0.52, 0.36), (0.58, 0.36), (KICK_S - 0.04, 0.0)),
-        "foot.tilt": keys((0.0, 0.0), (0.28, 24.0), (0.52, -32.0), (0.60, -28.0), (KICK_S - 0.06, 0.0)),
-        "trunk.pitch": keys((0.0, 0.0), (0.50, -7.0), (KICK_S, 0.0)),
-        "stance.flex": keys((0.0, 0.0), (0.50, 22.0), (KICK_S, 0.0)),
-        "foot.flex": keys((0.0, 0.0), (0.50, -14.0), (KICK_S, 0.0)),
+        "foot.lift": keys((0.0, 0.0), (0.34, 0.30), (0.56, 0.40), (0.64, 0.40), (KICK_S, 0.0)),
+        "foot.forward": keys((0.0, 0.0), (0.28, -0.02), (0.58, 0.55), (0.64, 0.55), (KICK_S - 0.03, 0.0)),
+        "foot.tilt": keys((0.0, 0.0), (0.28, 24.0), (0.56, -42.0), (0.66, -36.0), (KICK_S - 0.06, 0.0)),
+        "trunk.pitch": keys((0.0, 0.0), (0.56, -9.0), (KICK_S, 0.0)),
+        "stance.flex": keys((0.0, 0.0), (0.56, 26.0), (KICK_S, 0.0)),
+        "foot.flex": keys((0.0, 0.0), (0.56, -14.0), (KICK_S, 0.0)),
     },
     "jump": {
         "trunk.pitch": _jump(32.0, 6.0, 24.0),

@@ -74,10 +74,12 @@ def _wish(controls: PuppetControls, name: str) -> float:
 
 def _arm(side: str, wish: dict[str, float], time_s: float) -> dict[str, float]:
     arm = {joint: STANDING[f"{side}.{joint}"] for joint in _GUARD}
-    arm["flex"] += sum(size * wish[name] for name, size in _HANGS.items())
+    level = sum(size * wish[name] for name, size in _HANGS.items())
+    arm["flex"] += level
+    thrust = _THRUST | {"flex": _THRUST["flex"] + level}  # straight ahead however the trunk bends
     waving = _WAVE | {"elbow": _WAVE["elbow"] - _WAVES_DEG * float(np.sin(2.0 * np.pi * _WAVES_HZ * time_s))}
     poses = [(wish["guard"], _GUARD), (wish[f"raise_{side}"], _RAISE)]
     poses += [(wish["wave"], waving)] if side == "right" else []
-    for share, pose in (*poses, (wish[f"thrust_{side}"], _THRUST)):
+    for share, pose in (*poses, (wish[f"thrust_{side}"], thrust)):
         arm = {joint: (1.0 - share) * angle + share * pose[joint] for joint, angle in arm.items()}
     return arm

@@ -82,7 +82,7 @@ class SensorNoise:
         offset += scale * hip_drop(true, up) + self._bones.displacement(true, scale)
         confidence = np.where(shown, np.minimum(frame.confidence, INFERRED), frame.confidence)
         turn = _tilt(scale * self._tilt[0], scale * self._tilt[1])
-        floor = None if frame.floor is None else Floor(*(float(v) for v in turn @ np.array(frame.floor[:3])), frame.floor.d)
+        floor = None if frame.floor is None else Floor._make([*(turn @ np.array(frame.floor[:3])).tolist(), frame.floor.d])
         return replace(frame, positions=(true + offset) @ turn.T, confidence=confidence, floor=floor)
 
 
