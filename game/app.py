@@ -137,7 +137,7 @@ class App:
 
 
 def _puppet_steering() -> Steering:
-    from game.inputs.puppet import controls_from_gamepad, controls_from_keys
+    from game.inputs.puppet_controls import controls_from_gamepad, controls_from_keys
 
     return Steering(controls_from_keys, controls_from_gamepad)
 

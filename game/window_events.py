@@ -41,7 +41,7 @@ class WindowEvents:
         glfw.set_cursor_pos_callback(handle, self._on_move)
         glfw.set_mouse_button_callback(handle, self._on_button)
         glfw.set_scroll_callback(handle, self._on_scroll)
-        glfw.set_drop_callback(handle, self._on_drop)
+        glfw.set_drop_callback(handle, self._on_drop)  # type: ignore[arg-type]  # pyGLFW hands over (window, paths)
         glfw.set_window_focus_callback(handle, self._on_focus)
 
     def take_drops(self) -> list[str]:
@@ -53,7 +53,8 @@ class WindowEvents:
         """Between a window and the whole of the screen it is on."""
         if self._windowed is not None:
             x, y, width, height = self._windowed
-            glfw.set_window_monitor(self._handle, None, x, y, width, height, 0)
+            no_monitor: Any = None
+            glfw.set_window_monitor(self._handle, no_monitor, x, y, width, height, 0)
             self._windowed = None
             return
         monitor = glfw.get_primary_monitor()

@@ -1,5 +1,6 @@
 """Keys and gamepad to whatever they steer: the last of the two that was touched has it."""
 
+import copy
 from collections.abc import Callable, Set
 from typing import Any, Protocol
 
@@ -36,6 +37,6 @@ class Steering:
         if changed == self._idle:  # one of the two was let go: the other may still be held
             changed = keys if keys != self._idle else pad
         if steered is not None:
-            steered.controls = changed
+            steered.controls = copy.copy(changed)
         self.touched = True
         return changed != self._idle

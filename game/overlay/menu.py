@@ -34,10 +34,12 @@ class Menu:
         imgui.begin("menu", None, FIXED)
         wide = ImVec2(min(19.0 * em, 0.8 * size[0]), 0.0)
         _heading("Topple", self._fonts, 1.9, self._fonts.display)
-        for caption, kind in (("Continue", "menu"), ("Restart", "restart")):
-            if self._button(caption, ImVec2(wide.x, 2.1 * em)):
-                shown.ask(kind)
-                shown.menu = False
+        big = ImVec2(wide.x, 2.1 * em)
+        if self._button("Continue", big):
+            shown.menu = False
+        if self._button("Restart", big):
+            shown.ask("restart")
+            shown.menu = False
         self._scenes(view, shown, wide.x)
         self._inputs(view, shown, wide.x)
         if self._button("Tune every number", wide):

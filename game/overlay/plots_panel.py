@@ -45,7 +45,7 @@ def _time(plot: Plot, em: float) -> None:
     flags = implot.Flags_.no_title | implot.Flags_.no_menus | implot.Flags_.no_mouse_text
     if len(plot.series) < 2:
         flags |= implot.Flags_.no_legend
-    if not implot.begin_plot(f"##{plot.title}", ImVec2(-1.0, 7.5 * em), flags):
+    if not implot.begin_plot(f"##{plot.title}", ImVec2(-1.0, 7.0 * em), flags):
         return
     implot.setup_axes("", "", implot.AxisFlags_.no_label, implot.AxisFlags_.no_label | implot.AxisFlags_.auto_fit)
     newest = max((float(x[-1]) for x, _ in plot.series.values() if len(x)), default=0.0)
@@ -59,13 +59,13 @@ def _time(plot: Plot, em: float) -> None:
 
 def _plan(plot: Plot, em: float) -> None:
     flags = implot.Flags_.no_title | implot.Flags_.no_menus | implot.Flags_.equal
-    if not implot.begin_plot(f"##{plot.title}", ImVec2(-1.0, 13.0 * em), flags):
+    if not implot.begin_plot(f"##{plot.title}", ImVec2(-1.0, 12.5 * em), flags):
         return
-    implot.setup_axes("right, m", "forward, m", 0, 0)
+    implot.setup_axes("right", "forward", 0, 0)
     centre, reach = _extent(plot)
     implot.setup_axis_limits(implot.ImAxis_.x1, centre[0] - reach, centre[0] + reach, implot.Cond_.always)
     implot.setup_axis_limits(implot.ImAxis_.y1, centre[1] - reach, centre[1] + reach, implot.Cond_.always)
-    implot.setup_legend(implot.Location_.north_west, 0)
+    implot.setup_legend(implot.Location_.south, implot.LegendFlags_.outside | implot.LegendFlags_.horizontal)
     for number, (name, (x, y)) in enumerate(plot.series.items()):
         colour = LINES[number % len(LINES)]
         if len(x) == 1:

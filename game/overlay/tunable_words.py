@@ -9,6 +9,7 @@ GROUP_TITLES = {
     "intake": "Intake",
     "ik": "Kinematic target",
     "pd": "PD control",
+    "control": "Control rate",
     "balance": "Balance",
     "physics": "Physics",
     "picture": "Picture",

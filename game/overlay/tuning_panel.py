@@ -36,33 +36,36 @@ class TuningPanel:
         fixed = imgui.WindowFlags_.no_title_bar | imgui.WindowFlags_.no_resize | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_collapse
         imgui.begin("tuning", None, fixed)
         self._head(view, shown)
-        imgui.begin_child("tunables", ImVec2(0.0, 0.0))
+        foot = imgui.get_frame_height_with_spacing() if view.restart_pending else 0.0
+        imgui.begin_child("tunables", ImVec2(0.0, -foot))
         groups = _groups(shown.filter)
         for group, tunables in groups.items():
             self._group(group, tunables, view, shown)
         if not groups:
             imgui.text_colored(ImVec4(*FAINT), f"nothing is called {shown.filter!r}")
         imgui.end_child()
+        if view.restart_pending:
+            self._restart_button(shown)
         imgui.end()
 
     def _head(self, view: View, shown: Shown) -> None:
         imgui.push_font(self._fonts.strong, 1.15 * imgui.get_style().font_size_base)
         imgui.text("Tune")
         imgui.pop_font()
-        imgui.same_line(0.0, 0.6 * imgui.get_font_size())
-        imgui.align_text_to_frame_padding()
-        imgui.text_colored(ImVec4(*FAINT), "drag, Ctrl+click to type, right click to reset")
+        self._right_buttons(shown)
         imgui.set_next_item_width(-1.0)
         _, shown.filter = imgui.input_text_with_hint("##filter", "filter by name or meaning", shown.filter)
         self._note("filter")
         self._preset_row(view, shown)
-        if view.restart_pending:
-            imgui.push_style_color(imgui.Col_.button, ImVec4(*alpha(ACCENT, 0.45)))
-            if imgui.button("Takes effect at restart: restart now", ImVec2(-1.0, 0.0)):
-                shown.ask("restart")
-            imgui.pop_style_color()
-            self._note("restart")
         imgui.dummy(ImVec2(0.0, 0.1 * imgui.get_font_size()))
+
+    def _restart_button(self, shown: Shown) -> None:
+        """At the foot, so that nothing moves under the mouse while a slider is dragged."""
+        imgui.push_style_color(imgui.Col_.button, ImVec4(*alpha(ACCENT, 0.45)))
+        if imgui.button("Takes effect at restart: restart now", ImVec2(-1.0, 0.0)):
+            shown.ask("restart")
+        imgui.pop_style_color()
+        self._note("restart")
 
     def _preset_row(self, view: View, shown: Shown) -> None:
         if self._preset_version != view.settings.version:
@@ -78,11 +81,18 @@ class TuningPanel:
                 shown.ask("preset", name)
             imgui.pop_style_color()
             self._note(f"preset {name}")
-        for caption, kind in (("Reset all", "reset all"), ("Save", "save"), ("Load", "load")):
-            imgui.same_line(0.0, (1.2 if kind == "reset all" else 0.5) * imgui.get_font_size())
+
+    def _right_buttons(self, shown: Shown) -> None:
+        captions = {"reset all": "Reset all", "save": "Save", "load": "Load"}
+        style = imgui.get_style()
+        widths = [imgui.calc_text_size(caption).x + 2 * style.frame_padding.x for caption in captions.values()]
+        imgui.same_line(imgui.get_window_width() - style.window_padding.x - sum(widths) - style.item_spacing.x * (len(widths) - 1))
+        for kind, caption in captions.items():
             if imgui.button(caption):
                 shown.ask(kind)
             self._note(kind)
+            imgui.same_line()
+        imgui.new_line()
 
     def _group(self, group: str, tunables: list[Tunable], view: View, shown: Shown) -> None:
         if shown.filter:

@@ -1,6 +1,7 @@
 """The overlay of one window: Dear ImGui with its own GLFW and OpenGL back ends."""
 
 import ctypes
+from typing import Any
 
 import glfw
 from imgui_bundle import ImVec2, imgui, implot
@@ -20,17 +21,18 @@ class Overlay:
     Make it after the window's own GLFW callbacks are set: Dear ImGui puts itself before them and hands every event on.
     """
 
-    def __init__(self, handle: object) -> None:
+    def __init__(self, handle: Any) -> None:
         """handle: the GLFW window whose OpenGL context is current."""
         self.shown = Shown()
         self._handle = handle
         self._context = imgui.create_context()
+        self._closed = False
         self._plots = implot.create_context()
         io = imgui.get_io()
         io.set_ini_filename("")  # positions are the layout's business, and no imgui.ini is left in the working directory
         io.set_log_filename("")
         self.fonts = load_fonts()
-        self.address: int = ctypes.cast(handle, ctypes.c_void_p).value or 0  # type: ignore[arg-type]
+        self.address: int = ctypes.cast(handle, ctypes.c_void_p).value or 0
         imgui.backends.glfw_init_for_opengl(self.address, True)
         imgui.backends.opengl3_init("#version 330")
         self.hud = Hud()
@@ -81,14 +83,14 @@ class Overlay:
 
     def close(self) -> None:
         """Give back everything; the window must still be there. Calling it twice is harmless."""
-        if self._context is None:
+        if self._closed:
             return
+        self._closed = True
         self._make_current()
         imgui.backends.opengl3_shutdown()
         imgui.backends.glfw_shutdown()
         implot.destroy_context(self._plots)
         imgui.destroy_context(self._context)
-        self._context = None
 
     def _make_current(self) -> None:
         imgui.set_current_context(self._context)

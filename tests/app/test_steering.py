@@ -1,0 +1,75 @@
+"""Keys and gamepad: whoever touches last steers, and nobody disturbs a script."""
+
+import glfw
+
+from game.inputs.gamepad import AXES, BUTTONS, GamepadState
+from game.inputs.keyboard import KEY_CODES, KEY_NAMES, Keyboard
+from game.inputs.puppet_controls import AXIS_ORDER, BUTTON_ORDER, KEYS, PuppetControls, controls_from_gamepad, controls_from_keys
+from game.inputs.steering import Steering
+from game.shortcuts import SHORTCUTS
+
+
+class Doll:
+    def __init__(self) -> None:
+        self.controls = PuppetControls()
+
+
+def pad(**axes: float) -> GamepadState:
+    rest = {name: -1.0 if name.endswith("trigger") else 0.0 for name in AXES}
+    return GamepadState(tuple({**rest, **axes}.values()), (False,) * len(BUTTONS))
+
+
+def test_nobody_at_the_keys_leaves_a_scripted_puppet_alone() -> None:
+    steering, doll = Steering(controls_from_keys, controls_from_gamepad), Doll()
+    doll.controls.lean_forward = 0.7
+    for _ in range(3):
+        assert not steering.route(doll, frozenset(), pad())
+    assert doll.controls.lean_forward == 0.7
+    assert not steering.touched
+
+
+def test_letting_go_of_the_stick_gives_the_held_keys_their_due() -> None:
+    steering, doll = Steering(controls_from_keys, controls_from_gamepad), Doll()
+    steering.route(doll, {"space"}, pad())
+    assert doll.controls.jump
+    steering.route(doll, {"space"}, pad(left_y=-1.0))
+    assert doll.controls.lean_forward == 1.0
+    steering.route(doll, {"space"}, pad())
+    assert doll.controls.jump
+    steering.route(doll, frozenset(), pad())
+    assert doll.controls == PuppetControls()
+
+
+def test_every_puppet_key_is_a_key_of_the_keyboard_and_none_is_a_shortcut() -> None:
+    names = {key.name.lower() for key in KEYS}
+    assert names <= set(KEY_CODES)
+    assert not names & set(SHORTCUTS)
+
+
+def test_every_shortcut_is_a_key_of_the_keyboard() -> None:
+    assert set(SHORTCUTS) <= set(KEY_CODES)
+
+
+def test_gamepad_state_is_in_the_order_the_puppet_reads() -> None:
+    assert AXES == AXIS_ORDER
+    assert BUTTONS == BUTTON_ORDER
+    assert len(AXES) == glfw.GAMEPAD_AXIS_LAST + 1
+    assert len(BUTTONS) == glfw.GAMEPAD_BUTTON_LAST + 1
+
+
+def test_key_names_and_codes_are_one_to_one() -> None:
+    assert len(KEY_CODES) == len(KEY_NAMES)
+    assert KEY_NAMES[glfw.KEY_LEFT_SHIFT] == "left_shift"
+
+
+def test_a_press_while_typing_is_not_a_game_key_but_its_release_always_counts() -> None:
+    keyboard = Keyboard()
+    keyboard.event(glfw.KEY_W, glfw.PRESS)
+    keyboard.event(glfw.KEY_E, glfw.PRESS, typing=True)
+    assert keyboard.pressed == {"w"}
+    keyboard.event(glfw.KEY_W, glfw.RELEASE, typing=True)
+    assert keyboard.pressed == set()
+    assert keyboard.take_presses() == ["w"]
+    assert keyboard.take_presses() == []
+    keyboard.event(-1, glfw.PRESS)
+    assert keyboard.pressed == set()
