@@ -35,26 +35,32 @@ def zero_moment_point(joints: Floats, step_s: float) -> Floats:
     points = point_masses(joints)
     pull = second_difference(points, step_s)
     weight = (pull[..., 2] + GRAVITY) * POINT_MASSES_KG
-    moment = np.sum(weight[..., None] * points[..., :2] - (POINT_MASSES_KG * points[..., 2])[..., None] * pull[..., :2], axis=1)
+    height = POINT_MASSES_KG * points[..., 2]
+    moment = np.einsum("tp,tpk->tk", weight, points[..., :2]) - np.einsum("tp,tpk->tk", height, pull[..., :2])
     force = np.sum(weight, axis=1)
     return moment / np.where(force > 1e-6 * MASS_KG, force, np.nan)[:, None]
 
 
 def solve_pelvis_path(
-    figure: Figure, zmp: Floats, com_rise: Floats | None, airborne: np.ndarray, step_s: float, rounds: int = 8
+    figure: Figure,
+    zmp: Floats,
+    com_rise: Floats | None,
+    airborne: np.ndarray,
+    step_s: float,
+    start: Floats | None = None,
+    rounds: int = 7,
 ) -> Floats:
     """(T, 3) world path of HIP_CENTER.
 
     zmp: (T, 2) wanted zero moment point, metres. com_rise: (T,) height of the centre of mass above that of the first sample, metres, or None to keep the figure's pelvis height.
-    airborne: (T,) True where both feet are off the floor.
+    airborne: (T,) True where both feet are off the floor. start: (T, 3) a path near the solution, if one is known.
     """
-    pelvis = np.column_stack([zmp, figure.pelvis_height])
+    pelvis = np.column_stack([zmp, figure.pelvis_height]) if start is None else start.copy()
     for _ in range(rounds):
         points = point_masses(figure.joints(pelvis))
         if com_rise is not None:
             height = points[..., 2] @ POINT_MASSES_KG / MASS_KG
             pelvis[:, 2] += com_rise - (height - height[0])
-            points = point_masses(figure.joints(pelvis))
         pelvis[:, :2] += _correction(points, zmp, airborne, step_s)
     return pelvis
 
@@ -63,8 +69,8 @@ def _correction(points: Floats, zmp: Floats, airborne: np.ndarray, step_s: float
     pull = second_difference(points, step_s)
     weight = (pull[..., 2] + GRAVITY) * POINT_MASSES_KG
     height = POINT_MASSES_KG * points[..., 2]
-    moment = np.sum(weight[..., None] * (points[..., :2] - zmp[:, None]) - height[..., None] * pull[..., :2], axis=1)
     force, inertia = np.sum(weight, axis=1), np.sum(height, axis=1)
+    moment = np.einsum("tp,tpk->tk", weight, points[..., :2]) - np.einsum("tp,tpk->tk", height, pull[..., :2]) - force[:, None] * zmp
     drift = np.tensordot(pull[..., :2], POINT_MASSES_KG / MASS_KG, axes=(1, 0))
     moment = np.where(airborne[:, None], -inertia[:, None] * drift, moment)
     force = np.where(airborne, 0.0, np.maximum(force, 0.0))

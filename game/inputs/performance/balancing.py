@@ -18,6 +18,7 @@ def script() -> Script:
         {
             **{f"{side}.lift": _raised(0.0, 0.200, side) for side in sides},
             **{f"{side}.forward": _raised(0.0, 0.030, side) for side in sides},
+            **{f"{side}.out": _raised(0.0, -0.060, side) for side in sides},
             **{f"{side}.tilt": _raised(0.0, 12.0, side) for side in sides},
             **{f"{side}.side": _shifted(STANDING["left.side"], 42.0) for side in sides},
             **{f"{side}.elbow": _shifted(STANDING["left.elbow"], 24.0) for side in sides},

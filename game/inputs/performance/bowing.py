@@ -4,7 +4,7 @@ from game.inputs.performance.curves import Curve, keys
 from game.inputs.performance.script import STANDING, Script, both
 
 LENGTH_S = 9.2
-BOWS = ((0.9, 2.1, 2.9, 4.2), (4.7, 5.8, 6.7, 8.1))
+BOWS = ((1.0, 2.2, 3.0, 4.3), (4.8, 5.9, 6.8, 8.2))
 """(start, down, up again, straight) of each bow, seconds."""
 
 

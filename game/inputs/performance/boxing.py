@@ -11,10 +11,10 @@ PUNCHES: tuple[tuple[float, Side], ...] = tuple(
     for combination in range(7)
     for after, side in (((0.0, "left"), (0.72, "right")))
 )
-OUT_S, HELD_S, BACK_S = 0.25, 0.04, 0.34
+OUT_S, HELD_S, BACK_S = 0.21, 0.045, 0.34
 GUARD_ARM = {"flex": 38.0, "side": 12.0, "twist": -12.0, "elbow": 122.0}
 PUNCH_ARM = {"flex": 84.0, "side": -4.0, "twist": -40.0, "elbow": 16.0}
-TWIST_DEG = 12.0
+TWIST_DEG = 15.0
 
 
 def script() -> Script:

@@ -6,11 +6,12 @@ from game.inputs.performance.script import STANDING, Script, both
 
 LENGTH_S = 21.2
 STARTS_S = (1.0, 6.0, 11.0, 16.0)
-CROUCH_S, PUSH_S, FLIGHT_S, ABSORB_S, RISE_S = 0.85, 0.34, 0.23, 0.32, 0.95
-CROUCH_M, TAKE_OFF_M, ABSORB_M = -0.16, 0.030, -0.12
-"""Centre of mass against standing: at the bottom of the crouch, when the feet leave, at the bottom of the landing."""
-TAKE_OFF_M_S = GRAVITY * FLIGHT_S / 2.0
-BALL_ZMP_M = 0.088
+CROUCH_S, PUSH_S, FLIGHT_S, ABSORB_S, RISE_S = 0.80, 0.35, 28.0 / 120.0, 0.31, 0.95
+CROUCH_M, TAKE_OFF_M, LANDING_M, ABSORB_M = -0.150, 0.015, -0.005, -0.150
+"""Centre of mass against standing: at the bottom of the crouch, when the feet leave, when they touch, at the bottom of the landing."""
+TAKE_OFF_M_S = (LANDING_M - TAKE_OFF_M) / FLIGHT_S + GRAVITY * FLIGHT_S / 2.0
+LANDING_M_S = TAKE_OFF_M_S - GRAVITY * FLIGHT_S
+BALL_ZMP_M = 0.080
 
 
 def _times(start: float) -> tuple[float, float, float, float, float]:
@@ -26,12 +27,12 @@ def script() -> Script:
     return Script(
         LENGTH_S,
         {
-            "trunk.pitch": _phases(0.0, 32.0, 6.0, 24.0),
-            "pelvis.pitch": _phases(0.0, 16.0, 2.0, 12.0),
+            "trunk.pitch": _phases(0.0, 32.0, 16.0, 30.0),
+            "pelvis.pitch": _phases(0.0, 16.0, 10.0, 16.0),
             "head.pitch": _phases(0.0, 12.0, 2.0, 8.0),
             **both("flex", _phases(STANDING["left.flex"], -30.0, 42.0, 22.0)),
             **both("elbow", _phases(STANDING["left.elbow"], 26.0, 44.0, 34.0)),
-            **both("lift", total(*(bump(leaves, lands, 0.072) for leaves, lands in flights))),
+            **both("lift", total(*(bump(leaves, lands, 0.084) for leaves, lands in flights))),
             **both("tilt", _heels()),
             "zmp.x": _weight(),
         },
@@ -46,10 +47,10 @@ def _height() -> Curve:
         bottom, leaves, lands, landed, upright = _times(start)
         knots += [
             (start, 0.0, 0.0, 0.0),
-            (bottom, CROUCH_M, 0.0, 6.0),
+            (bottom, CROUCH_M, 0.0, 2.0),
             (leaves, TAKE_OFF_M, TAKE_OFF_M_S, -GRAVITY),
-            (lands, TAKE_OFF_M, -TAKE_OFF_M_S, -GRAVITY),
-            (landed, ABSORB_M, 0.0, 5.0),
+            (lands, LANDING_M, LANDING_M_S, -GRAVITY),
+            (landed, ABSORB_M, 0.0, 1.6),
             (upright, 0.0, 0.0, 0.0),
         ]
     return through(*knots)
@@ -67,7 +68,7 @@ def _heels() -> Curve:
     points = []
     for start in STARTS_S:
         _, leaves, lands, _, _ = _times(start)
-        points += [(leaves - 0.17, 0.0), (leaves + 0.03, 28.0), (leaves + 0.13, 6.0), (lands, 16.0), (lands + 0.15, 0.0)]
+        points += [(leaves - 0.15, 0.0), (leaves + 0.06, 26.0), (lands - 0.02, 18.0), (lands + 0.14, 0.0)]
     return keys(*points)
 
 
@@ -76,5 +77,5 @@ def _weight() -> Curve:
     points = []
     for start in STARTS_S:
         bottom, leaves, lands, landed, _ = _times(start)
-        points += [(bottom - 0.3, 0.0), (leaves - 0.17, BALL_ZMP_M), (lands + 0.15, BALL_ZMP_M), (landed + 0.3, 0.0)]
+        points += [(bottom - 0.3, 0.0), (leaves - 0.15, BALL_ZMP_M), (lands + 0.14, BALL_ZMP_M), (landed + 0.3, 0.0)]
     return keys(*points)

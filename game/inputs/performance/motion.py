@@ -6,11 +6,13 @@ import numpy as np
 
 from game.inputs.performance.balance import solve_pelvis_path
 from game.inputs.performance.figure import pose_figure
+from game.inputs.performance.flight import counter_pitch
 from game.inputs.performance.script import SIDES, Script
 from game.inputs.performance.tridiagonal import Spline
 from kinect.body import Floats
 
 GRID_HZ = 120.0
+FLIGHT_ROUNDS = 4
 
 
 class Motion:
@@ -24,15 +26,28 @@ class Motion:
         return self.script.length_s
 
     @cached_property
-    def _pelvis(self) -> Spline:
-        t = np.arange(int(np.ceil(self.length_s * GRID_HZ)) + 2) / GRID_HZ
+    def _path(self) -> Spline:
+        """HIP_CENTER (x, y, z) and the upper body's pitch offset against time."""
+        step_s = 1.0 / GRID_HZ
+        t = np.arange(int(np.ceil(self.length_s * GRID_HZ)) + 2) * step_s
         channels = self.script.sample(t)
         zmp = np.column_stack([channels["zmp.x"], channels["zmp.y"]])
-        com_rise = None if self.script.com_rise is None else self.script.com_rise(t)
+        rise = None if self.script.com_rise is None else self.script.com_rise(t)
         airborne = ~(self.script.on_floor(t, SIDES[0]) | self.script.on_floor(t, SIDES[1]))
-        return Spline(solve_pelvis_path(pose_figure(channels), zmp, com_rise, airborne, 1.0 / GRID_HZ), 1.0 / GRID_HZ)
+        figure, pitch = pose_figure(channels), np.zeros(len(t))
+        pelvis = solve_pelvis_path(figure, zmp, rise, airborne, step_s)
+        for _ in range(FLIGHT_ROUNDS if np.any(airborne) else 0):
+            pitch = counter_pitch(figure.joints(pelvis), pitch, step_s)
+            figure = pose_figure(_pitched(channels, pitch))
+            pelvis = solve_pelvis_path(figure, zmp, rise, airborne, step_s, pelvis, rounds=2)
+        return Spline(np.column_stack([pelvis, pitch]), step_s)
 
     def joints(self, t: Floats) -> Floats:
         """(T, 20, 3) true joints at times t (T,), seconds; metres, world frame (x towards the sensor, y left, z up)."""
         t = np.clip(np.atleast_1d(np.asarray(t, float)), 0.0, self.length_s)
-        return pose_figure(self.script.sample(t)).joints(self._pelvis(t))
+        path = self._path(t)
+        return pose_figure(_pitched(self.script.sample(t), path[:, 3])).joints(path[:, :3])
+
+
+def _pitched(channels: dict[str, Floats], offset: Floats) -> dict[str, Floats]:
+    return channels | {f"{part}.pitch": channels[f"{part}.pitch"] + offset for part in ("pelvis", "trunk", "head")}

@@ -91,7 +91,7 @@ POINT_WEIGHTS: Final[Floats] = _weights()
 
 def point_masses(joints: Floats) -> Floats:
     """(T, P, 3) positions of the point masses for (T, 20, 3) joints, metres, same frame."""
-    return np.matmul(POINT_WEIGHTS, joints)
+    return np.tensordot(joints, POINT_WEIGHTS, axes=(1, 1)).swapaxes(1, 2)
 
 
 def centre_of_mass(joints: Floats) -> Floats:

@@ -12,9 +12,9 @@ def script() -> Script:
     return Script(
         LENGTH_S,
         {
-            "pelvis.height": _reach(STANDING["pelvis.height"], 0.66),
-            "pelvis.pitch": _reach(0.0, 28.0),
-            "trunk.pitch": _reach(0.0, 46.0),
+            "pelvis.height": _reach(STANDING["pelvis.height"], 0.63),
+            "pelvis.pitch": _reach(0.0, 31.0),
+            "trunk.pitch": _reach(0.0, 49.0),
             "head.pitch": _reach(0.0, 30.0),
             **both("flex", _reach(STANDING["left.flex"], 72.0)),
             **both("side", _reach(STANDING["left.side"], 2.0)),

@@ -5,7 +5,7 @@ from game.inputs.performance.script import STANDING, Script, Side, from_idle
 
 LENGTH_S = 10.7
 STEPS = 11
-FIRST_LIFT_S, PERIOD_S, OFF_FLOOR_S = 1.35, 0.78, 0.50
+FIRST_LIFT_S, PERIOD_S, OFF_FLOOR_S = 1.50, 0.78, 0.50
 STANCE_ZMP_M = 0.094
 LIFT_M = 0.103
 
@@ -21,7 +21,7 @@ def script() -> Script:
         side: tuple((leaves, lands) for foot, leaves, lands in lifts() if foot == side) for side in ("left", "right")
     }
     end = lifts()[-1][2]
-    moving = (0.75, FIRST_LIFT_S, end, end + 0.7)
+    moving = (0.85, FIRST_LIFT_S, end, end + 0.7)
     return Script(
         LENGTH_S,
         {
@@ -54,8 +54,11 @@ def _arm_swing(side: str) -> Curve:
 
 
 def _weight() -> Curve:
-    """The ground force rests in the stance foot while the other is up and crosses over while both are down."""
-    points = [(FIRST_LIFT_S - 0.6, 0.0)]
+    """The ground force rests in the stance foot while the other is up and crosses over while both are down.
+
+    Before the first step it goes to the foot that will lift and so throws the weight to the other (anticipatory postural adjustment).
+    """
+    points = [(0.80, 0.0), (1.04, -0.045)]
     for foot, leaves, lands in lifts():
         stance = STANCE_ZMP_M if foot == "right" else -STANCE_ZMP_M
         points += [(leaves, stance), (lands, stance)]
