@@ -1,0 +1,1 @@
+"""The living room, one module a piece of furniture."""
