@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
+from game.render.capture import VideoWriter, save_png
 from game.render.gl_window import GLWindow
 
 
@@ -15,15 +15,12 @@ class Output:
 
     def __init__(self, picture: Path | None, video: Path | None, fps: int, window: GLWindow) -> None:
         self._picture, self._window = picture, window
-        self._video: Any = None
+        self._video: VideoWriter | None = None
         self._newest: NDArray[np.uint8] | None = None
         self._files: list[Path] = []
         self._copy: Any = None
         self._closed = False
         if video is not None:
-            from game.render.capture import VideoWriter
-
-            video.parent.mkdir(parents=True, exist_ok=True)
             self._video = VideoWriter(video, window.framebuffer_size, fps)
             self._files.append(video)
 
@@ -63,6 +60,5 @@ class Output:
         return self._files
 
     def _write(self, path: Path, pixels: NDArray[np.uint8]) -> None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        Image.fromarray(np.ascontiguousarray(pixels)).save(path)
+        save_png(path, pixels)
         self._files.append(path)

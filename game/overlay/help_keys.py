@@ -1,5 +1,8 @@
 """The keys of the scene at the foot of the picture: there at the start, gone once the player plays."""
 
+import math
+from dataclasses import dataclass
+
 from game.overlay.ink import Ink
 from game.overlay.layout import free_span
 from game.overlay.style import INK, PILL, alpha
@@ -9,6 +12,7 @@ SHOW_S = 15.0
 AFTER_FIRST_INPUT_S = 6.0
 FADE_S = 1.5
 SIZE = 0.9
+GAP_EM = 1.3
 
 
 def help_opacity(view: View) -> float:
@@ -19,60 +23,72 @@ def help_opacity(view: View) -> float:
     return max(0.0, min(1.0, (end + FADE_S - view.now_s) / FADE_S))
 
 
-def draw_help_keys(ink: Ink, view: View, shown: Shown, size: tuple[float, float]) -> None:
-    """Key caps with their meaning in centred rows above the hint line."""
-    opacity = help_opacity(view)
-    if not view.help_keys or opacity <= 0.0 or shown.help or shown.menu:
-        return
-    em = ink.em
-    left, right = free_span(shown, size, em)
-    middle = (left + right) / 2
-    rows = _rows(ink, view.help_keys, min(0.8 * size[0], right - left - 4.0 * em))
-    row_height = 2.15 * em
-    width = max(_row_width(ink, row) for row in rows) + 2.0 * em
-    top = size[1] - 2.9 * em - row_height * len(rows)
-    ink.box(middle - width / 2, top - 0.45 * em, width, row_height * len(rows) + 0.6 * em, alpha(PILL, opacity), 0.7)
-    for number, row in enumerate(rows):
-        x = middle - _row_width(ink, row) / 2
-        for keys, meaning in row:
-            x = _draw_pair(ink, x, top + number * row_height, keys, meaning, opacity)
+class HelpKeys:
+    """Draws the scene's keys; lays them out anew only where they, the screen or the panels have changed."""
+
+    def __init__(self) -> None:
+        self._for: object = None
+        self._rows: list[Row] = []
+
+    def draw(self, ink: Ink, view: View, shown: Shown, size: tuple[float, float]) -> None:
+        """Key caps with their meaning in centred rows above the hint line, on a screen of `size` overlay units."""
+        opacity = help_opacity(view)
+        if not view.help_keys or opacity <= 0.0 or shown.help or shown.menu:
+            return
+        em = ink.em
+        left, right = free_span(shown, size, em)
+        longest = min(0.8 * size[0], right - left - 4.0 * em)
+        if self._for != (view.help_keys, em, longest):
+            self._for, self._rows = (view.help_keys, em, longest), rows_of(ink, view.help_keys, longest)
+        row_height = 2.15 * em
+        width = max(row.width for row in self._rows) + 2.0 * em
+        middle, height = (left + right) / 2, row_height * len(self._rows)
+        top = size[1] - 2.9 * em - height
+        ink.box(middle - width / 2, top - 0.45 * em, width, height + 0.6 * em, alpha(PILL, opacity), 0.7)
+        for number, row in enumerate(self._rows):
+            x = middle - row.width / 2
+            for caps, meaning in row.pairs:
+                x = _draw_pair(ink, x, top + number * row_height, caps, meaning, opacity)
 
 
-def caps_of(keys: str) -> list[str]:
+@dataclass(frozen=True)
+class Row:
+    """Key caps with their meanings, side by side; width in overlay units."""
+
+    pairs: tuple[tuple[tuple[str, ...], str], ...]
+    width: float
+
+
+def caps_of(keys: str) -> tuple[str, ...]:
     """Key caps of one entry: `W A S D` is four keys, `left shift` and `Page Up` stay together."""
     words = keys.replace("/", " ").split()
-    if all(len(word) <= 3 for word in words):
-        return words
-    return [keys.strip()]
+    return tuple(words) if all(len(word) <= 3 for word in words) else (keys.strip(),)
 
 
-def _pair_width(ink: Ink, keys: str, meaning: str) -> float:
-    caps = sum(ink.key_cap_width(cap, SIZE) + 0.2 * ink.em for cap in caps_of(keys))
-    return caps + 0.25 * ink.em + ink.width(meaning, SIZE) + 1.3 * ink.em
+def rows_of(ink: Ink, pairs: tuple[tuple[str, str], ...], longest: float) -> list[Row]:
+    """Split over as few rows as fit into `longest` overlay units, about equally long."""
+    gap = GAP_EM * ink.em
+    widths = [_pair_width(ink, caps_of(keys), meaning) for keys, meaning in pairs]
+    goal = sum(widths) / max(1, math.ceil(sum(widths) / max(1.0, longest)))
+    groups: list[list[int]] = [[]]
+    used = 0.0
+    for number, width in enumerate(widths):
+        if groups[-1] and (used + width - gap > longest or used + width / 2 > goal):
+            groups.append([])
+            used = 0.0
+        groups[-1].append(number)
+        used += width
+    return [Row(tuple((caps_of(pairs[n][0]), pairs[n][1]) for n in group), sum(widths[n] for n in group) - gap) for group in groups]
 
 
-def _row_width(ink: Ink, row: list[tuple[str, str]]) -> float:
-    return sum(_pair_width(ink, *pair) for pair in row) - 1.3 * ink.em
+def _pair_width(ink: Ink, caps: tuple[str, ...], meaning: str) -> float:
+    keys = sum(ink.key_cap_width(cap, SIZE) + 0.2 * ink.em for cap in caps)
+    return keys + (0.25 + GAP_EM) * ink.em + ink.width(meaning, SIZE)
 
 
-def _rows(ink: Ink, pairs: tuple[tuple[str, str], ...], longest: float) -> list[list[tuple[str, str]]]:
-    """Split over as few rows as fit, about equally long."""
-    total = sum(_pair_width(ink, *pair) for pair in pairs)
-    count = max(1, -(-int(total) // max(1, int(longest))))
-    rows: list[list[tuple[str, str]]] = [[]]
-    for pair in pairs:
-        wide = _row_width(ink, [*rows[-1], pair])
-        if rows[-1] and (
-            wide > longest or (_row_width(ink, rows[-1]) >= total / count - _pair_width(ink, *pair) / 2 and len(rows) < count)
-        ):
-            rows.append([])
-        rows[-1].append(pair)
-    return rows
-
-
-def _draw_pair(ink: Ink, x: float, y: float, keys: str, meaning: str, opacity: float) -> float:
-    for cap in caps_of(keys):
+def _draw_pair(ink: Ink, x: float, y: float, caps: tuple[str, ...], meaning: str, opacity: float) -> float:
+    for cap in caps:
         x += ink.key_cap(x, y, cap, opacity, SIZE) + 0.2 * ink.em
     x += 0.25 * ink.em
     ink.text(x, y + 0.24 * ink.em, meaning, alpha(INK, opacity), SIZE, shadow=False)
-    return x + ink.width(meaning, SIZE) + 1.3 * ink.em
+    return x + ink.width(meaning, SIZE) + GAP_EM * ink.em

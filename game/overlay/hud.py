@@ -1,6 +1,6 @@
 """What a player reads while playing: score, upright time, input, messages, keys."""
 
-from game.overlay.help_keys import draw_help_keys
+from game.overlay.help_keys import HelpKeys
 from game.overlay.ink import Ink
 from game.overlay.style import ACCENT, COOL, FAINT, GOOD, INK, PILL, WARN, Rgba, alpha
 from game.overlay.toasts import Toasts
@@ -15,6 +15,7 @@ class Hud:
 
     def __init__(self) -> None:
         self.toasts = Toasts()
+        self._help_keys = HelpKeys()
         self._score: str | None = None
         self._banner: tuple[str, float] | None = None
 
@@ -27,11 +28,11 @@ class Hud:
             ink.text(label.x - width / 2, label.y - 0.5 * ink.em, label.text, label.colour, 0.85)
         if not shown.hud:
             return
-        self._draw_score(ink, view, size)
+        self._draw_score(ink, view, shown, size)
         self._draw_left(ink, view, shown)
         if self._banner is not None and not shown.menu:
             self._draw_banner(ink, view, size)
-        draw_help_keys(ink, view, shown, size)
+        self._help_keys.draw(ink, view, shown, size)
         self._draw_hint(ink, shown, size)
 
     def _follow_score(self, view: View) -> None:
@@ -42,7 +43,7 @@ class Hud:
         if self._banner is not None and not 0 <= view.now_s - self._banner[1] < BANNER_S:
             self._banner = None
 
-    def _draw_score(self, ink: Ink, view: View, size: tuple[float, float]) -> None:
+    def _draw_score(self, ink: Ink, view: View, shown: Shown, size: tuple[float, float]) -> None:
         em, y = ink.em, 0.9 * ink.em
         if view.score:
             width = ink.width(view.score, 2.0, ink.fonts.display)
@@ -51,7 +52,7 @@ class Hud:
             y += 3.2 * em
         if view.upright_s is not None:
             y = self._draw_upright(ink, view, size, y)
-        for text, colour in _badges(view):
+        for text, colour in _badges(view) if not shown.menu else ():
             width = ink.width(text, 0.95, ink.fonts.strong) + 1.3 * 0.95 * em
             y += ink.pill((size[0] - width) / 2, y, text, colour, 0.95, font=ink.fonts.strong) + 0.3 * em
 

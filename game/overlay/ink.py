@@ -14,11 +14,22 @@ class Ink:
         self.fonts = fonts
         self.em = FONT_PX * scale
         self._list = imgui.get_background_draw_list()
+        self._widths: dict[tuple[str, float, int], float] = {}
+
+    def begin(self) -> None:
+        """Take up this frame's sheet; call it once a frame."""
+        self._list = imgui.get_background_draw_list()
 
     def width(self, text: str, size: float = 1.0, font: imgui.ImFont | None = None) -> float:
         """Width of one line of text, overlay units."""
+        key = (text, size, id(font))
+        known = self._widths.get(key)
+        if known is not None:
+            return known
+        if len(self._widths) > 1000:
+            self._widths.clear()
         imgui.push_font(font or self.fonts.text, size * FONT_PX)
-        width = imgui.calc_text_size(text).x
+        width = self._widths[key] = imgui.calc_text_size(text).x
         imgui.pop_font()
         return width
 

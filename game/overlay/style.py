@@ -1,6 +1,7 @@
 """How the overlay looks: palette, fonts and sizes in em, scaled to the screen."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 from imgui_bundle import ImVec2, ImVec4, imgui
@@ -55,6 +56,7 @@ def alpha(colour: Rgba, part: float) -> Rgba:
     return (colour[0], colour[1], colour[2], colour[3] * part)
 
 
+@lru_cache(maxsize=512)
 def packed(colour: Rgba) -> int:
     """The colour as a draw list takes it."""
     return imgui.color_convert_float4_to_u32(ImVec4(*colour))

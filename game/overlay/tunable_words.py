@@ -1,6 +1,7 @@
 """The words and number formats a tunable is shown with."""
 
 import math
+from functools import lru_cache
 
 from game.tunables import Settings, Tunable
 
@@ -24,6 +25,7 @@ def group_title(group: str) -> str:
     return GROUP_TITLES.get(group, group.replace("_", " ").capitalize())
 
 
+@lru_cache(maxsize=512)
 def label(tunable: Tunable) -> str:
     """`balance.ankle_clamp_rad` reads `ankle clamp`: the unit stands beside the number."""
     word = tunable.name.split(".", 1)[1]
@@ -41,6 +43,7 @@ def decimals(tunable: Tunable) -> int:
     return max(0, min(6, extra - math.floor(math.log10(span)))) if span > 0 else 3
 
 
+@lru_cache(maxsize=512)
 def number_format(tunable: Tunable) -> str:
     """printf format with the unit."""
     unit = tunable.unit.replace("%", "%%")

@@ -1,5 +1,7 @@
 """The panel at the right: every tunable by group, presets, save and load."""
 
+from functools import lru_cache
+
 from imgui_bundle import ImVec2, ImVec4, imgui
 
 from game.overlay.layout import panel_area
@@ -115,6 +117,7 @@ class TuningPanel:
         self.buttons[name] = Place(low.x, low.y, high.x, high.y, imgui.is_item_visible())
 
 
+@lru_cache(maxsize=8)
 def _groups(wanted: str) -> dict[str, list[Tunable]]:
     groups: dict[str, list[Tunable]] = {}
     for tunable in TUNABLES.values():

@@ -39,6 +39,7 @@ class Overlay:
         self.panel = TuningPanel(self.fonts)
         self.menu = Menu(self.fonts)
         self._scale = 0.0
+        self._ink: Ink | None = None
         self._rescale()
 
     @property
@@ -73,7 +74,10 @@ class Overlay:
         imgui.backends.glfw_new_frame()
         imgui.new_frame()
         size = self.size
-        self.hud.draw(Ink(self.fonts, self._scale), view, self.shown, size)
+        if self._ink is None:
+            self._ink = Ink(self.fonts, self._scale)
+        self._ink.begin()
+        self.hud.draw(self._ink, view, self.shown, size)
         draw_plots(view, self.shown, self.fonts, size)
         self.panel.draw(view, self.shown, size)
         self.menu.draw(view, self.shown, size)
@@ -107,7 +111,7 @@ class Overlay:
         units = max(1, glfw.get_window_size(self._handle)[1])
         scale = interface_scale(height, glfw.get_window_content_scale(self._handle)[0]) * units / max(1, height)
         if abs(scale - self._scale) > 1e-3:
-            self._scale = scale
+            self._scale, self._ink = scale, None
             apply_style(scale)
             implot.get_style().plot_padding = ImVec2(4.0 * scale, 4.0 * scale)
             implot.get_style().label_padding = ImVec2(3.0 * scale, 3.0 * scale)

@@ -1,6 +1,7 @@
 """The loop: the same states for any clock, endings, pictures, and nothing left behind."""
 
 import io
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -29,10 +30,8 @@ def make_app() -> Iterator[MakeApp]:
     def make(scene: BouncingBox, clock: Callable[[], float] | None = None, **options: Any) -> App:
         chosen = Options(**{"headless": True, "size": (160, 90), "overlay": False, **options})
         try:
-            app = App(
-                scene, Settings(), chosen, scene.pusher, renderer=Backdrop(), steering=Steering(push_from_keys, push_from_gamepad),
-                **({"clock": clock} if clock else {}),
-            )  # fmt: skip
+            steering = Steering(push_from_keys, push_from_gamepad)
+            app = App(scene, Settings(), chosen, scene.pusher, None, clock or time.perf_counter, Backdrop(), steering)
         except NoPicture as missing:
             pytest.skip(str(missing))
         apps.append(app)

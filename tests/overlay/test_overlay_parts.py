@@ -23,7 +23,7 @@ def test_a_slider_shows_its_default_to_about_a_hundredth_of_the_range(name: str)
     shown = float((number_format(tunable) % tunable.default).split()[0])
     assert shown == pytest.approx(float(tunable.default), abs=0.01 * (tunable.high - tunable.low))
     assert decimals(tunable) <= 6
-    assert rounded(tunable, np.float32(tunable.high)) <= tunable.high
+    assert rounded(tunable, float(np.float32(tunable.high))) <= tunable.high
 
 
 def test_single_precision_leaves_no_trace() -> None:
