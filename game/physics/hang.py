@@ -14,17 +14,32 @@ Floats = NDArray[np.float64]
 HANG_S = 1.0
 SOLE_CLEARANCE_M = 0.02
 
-_CORNERS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 
+def hanging_root(plan: BodyPlan, place_xy: Floats, root_orientation: Floats, joint_rotation: Floats) -> tuple[Floats, Floats]:
+    """Root position (3,) and orientation (4,) for the hang: the pose's own, tilted so that its COM stands over its feet.
 
-def hanging_root(plan: BodyPlan, place_xy: Floats, heading_rad: float, joint_rotation: Floats) -> tuple[Floats, Floats]:
-    """Root position (3,) and upright orientation (4,) with the lowest corner of the feet 2 cm above the floor."""
-    orientation = rotation.about_z(heading_rad)
-    pose = pose_skeleton(plan, np.array([*place_xy, 0.0]), orientation, joint_rotation)
-    centres = pose.box_centres(plan)
+    The lowest corner of the feet, taken flat as the balance strategy will hold them, is 2 cm above the floor.
+    """
     feet = list(FEET)
-    corners = centres[feet][:, None, :] + (plan.size[feet][:, None, :] / 2.0 * _CORNERS) @ pose.turn[feet].transpose(0, 2, 1)
-    return np.array([*place_xy, SOLE_CLEARANCE_M - float(corners[..., 2].min())]), orientation
+    origin = np.zeros(3)
+    upright = root_orientation
+    for _ in range(3):
+        pose = pose_skeleton(plan, origin, upright, joint_rotation)
+        stand = pose.joint[feet].mean(axis=0) + rotation.turn(rotation.matrix(rotation.about_z(rotation.yaw(upright))), _sole_centre(plan))
+        rise = pose.centre_of_mass(plan) - stand
+        if rise[2] < 0.3 * plan.idle_com_height:
+            break
+        upright = rotation.multiply(rotation.between(rotation.normalise(rise), np.array([0.0, 0.0, 1.0])), upright)
+    pose = pose_skeleton(plan, origin, upright, joint_rotation)
+    sole = pose.joint[feet, 2].min() - plan.joint[feet[0], 2]
+    return np.array([*place_xy, SOLE_CLEARANCE_M - float(sole)]), rotation.normalise(upright)
+
+
+def _sole_centre(plan: BodyPlan) -> Floats:
+    """(3,) from the ankle to the foot's box centre, level."""
+    offset = plan.centre_offset[FEET[0]].copy()
+    offset[1:] = 0.0
+    return offset
 
 
 def hold_root(model: mj.MjModel, data: mj.MjData, index: int, position: Floats, orientation: Floats) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.body_plan import BodyPlan
+from game.characters.skeleton import PARTS
 from game.control.joint_command import JointCommand
 from game.physics.actuation import Actuation
 from game.physics.dynamics import BodyDynamics
@@ -54,6 +55,8 @@ class World:
         self.faults: list[str] = []
         self.peak_torque: Floats = np.zeros(self.model.nv)
         self._pushes: list[tuple[int, Push]] = []
+        self.stated_pushes: list[dict[str, object]] = []
+        """Every push a scene stated: step, character, part, force (N), steps."""
         self._limp: set[int] = set()
         self._commands: list[JointCommand | None] = [None] * len(plans)
         self._digest = hashlib.sha256()
@@ -93,7 +96,10 @@ class World:
     def push(self, index: int, part: int, force: Floats, steps: int) -> None:
         """State a push: `force` (3,) N in the world at the centre of part `part`, for `steps` steps from now on."""
         body = self.characters[index].root_body + part
-        self._pushes.append((self.step_count + steps, Push(index, body, np.asarray(force, dtype=np.float64), np.zeros(3))))
+        force = np.asarray(force, dtype=np.float64)
+        self._pushes.append((self.step_count + steps, Push(index, body, force, np.zeros(3))))
+        row = {"step": self.step_count, "character": index, "part": PARTS[part], "force_n": force.tolist(), "steps": steps}
+        self.stated_pushes.append(row)
 
     def step(self) -> None:
         """Advance by one physics step."""
