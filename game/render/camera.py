@@ -18,10 +18,10 @@ _PRESET_FOV_DEG = 40.0
 
 @dataclass(frozen=True)
 class Room:
-    """The block of air a camera may be in: low and high corner (m)."""
+    """The block of air a camera may be in: low and high corner (m). Higher than the ceiling, which is seen only from below."""
 
-    low: Vector = (-3.0, -3.0, _LOWEST_M)
-    high: Vector = (3.45, 3.0, 2.55)
+    low: Vector = (-3.1, -3.05, _LOWEST_M)
+    high: Vector = (3.55, 3.0, 6.0)
 
 
 @dataclass(frozen=True)

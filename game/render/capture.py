@@ -13,8 +13,14 @@ Pixels = NDArray[np.uint8]
 
 
 def read_pixels(framebuffer: moderngl.Framebuffer, size: tuple[int, int]) -> Pixels:
-    """The picture (height, width, 3) as sRGB bytes, top row first."""
+    """The picture (height, width, 3) as sRGB bytes, top row first. Raises RuntimeError where drawing it left an OpenGL error."""
+    context = framebuffer.ctx
+    error = context.error
+    if error != "GL_NO_ERROR":
+        raise RuntimeError(f"drawing the picture left the OpenGL error {error}.")
     data = framebuffer.read(viewport=(0, 0, *size), components=3, alignment=1)
+    if framebuffer.glo == 0:
+        _ = context.error  # moderngl asks for a colour attachment, which the window's own framebuffer refuses harmlessly
     return np.frombuffer(data, dtype=np.uint8).reshape(size[1], size[0], 3)[::-1]
 
 

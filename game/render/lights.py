@@ -12,9 +12,9 @@ from game.tunables import Settings
 SHADOW_CENTRE: Vector = (0.0, 0.0, 0.7)
 SHADOW_REACH_M = 3.7
 """Half the side of the square, seen from the light, in which shadows fall."""
-_KEY = (3.25, 2.75, 2.15)
-_SKY = (0.40, 0.47, 0.60)
-_GROUND = (0.34, 0.25, 0.18)
+_KEY = (2.55, 2.05, 1.50)
+_SKY = (0.19, 0.23, 0.31)
+_GROUND = (0.17, 0.12, 0.085)
 _RIM = (0.55, 0.70, 0.95)
 _LEAST_GLOW = 0.5
 

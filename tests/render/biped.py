@@ -2,7 +2,11 @@
 
 import numpy as np
 
+from game import rotation
+from game.characters.body_plan import load_body_plan
+from game.characters.skeleton import PARTS
 from game.drawables import Boxes, Layer
+from game.scenes.costume import dressed
 
 # half sizes follow from (x, y, z) edge lengths in metres; centres stand in the idle pose, left side
 _CENTRAL = {
@@ -36,3 +40,11 @@ def plain_biped(colour: tuple[float, float, float, float] = (0.8, 0.3, 0.1, 1.0)
     position = np.array([centre for _, centre in table]) + (*at, 0.0)
     half_size = np.array([half for half, _ in table])
     return Layer("biped", (Boxes(position, np.tile((1.0, 0, 0, 0), (count, 1)), half_size, np.tile(colour, (count, 1)), bevel_m=0.02),))
+
+
+def dressed_biped(who: str = "player", at: tuple[float, float] = (0.0, 0.0), facing_deg: float = 0.0) -> Layer:
+    """The original character in a costume, standing at (x, y) and facing a compass direction (0 is +x)."""
+    plan = load_body_plan("original")
+    orientation = np.tile(rotation.about_z(np.radians(facing_deg)), (len(PARTS), 1))
+    position = rotation.rotate(orientation, plan.centre) + (*at, 0.0)
+    return Layer(who, dressed(plan, position, orientation, ("player", "opponent").index(who)))

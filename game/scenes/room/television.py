@@ -14,7 +14,7 @@ def television(room: Carpentry, x: float = 2.85) -> None:
     room.box((x + 0.02, 0.0, 0.50), (0.24, 0.5, 0.012), "#1c1c20", _BLACK)
     room.box((x + 0.05, 0.0, 0.56), (0.04, 0.12, 0.12), "#1c1c20", _BLACK)
     room.box((x + 0.04, 0.0, 0.93), (0.05, 1.26, 0.73), "#151518", _BLACK)
-    room.box((x + 0.0135, 0.0, 0.935), (0.004, 1.22, 0.68), "#ffffff", _SCREEN)
+    room.box((x + 0.0142, 0.0, 0.935), (0.001, 1.22, 0.68), "#ffffff", _SCREEN)
     room.box((x - 0.08, 0.0, 0.525), (0.09, 0.8, 0.06), "#26262b", Finish(0.02, 0.7, material="fabric"))
     kinect(room, x + 0.04, 0.0, 1.295)
 

@@ -20,7 +20,7 @@ def furnish(room: Carpentry) -> None:
     for y, side in ((-SIDE_Y, 1.0), (SIDE_Y, -1.0)):
         room.box((_MIDDLE_X, y + side * 0.01, 0.055), (_DEPTH, 0.02, 0.11), "#efe6d6", _SKIRTING)
     room.box((BACK_X + 0.012, 0.0, 0.98), (0.022, 2 * SIDE_Y, 0.035), "#c9a877", _SKIRTING)
-    room.box((0.0, 0.0, 0.0005), (3.1, 2.7, 0.003), "#ffffff", _RUG)
+    room.box((0.0, 0.0, 0.0005), (3.1, 2.7, 0.003), "#dcd2c6", _RUG)
     room.box((BACK_X + 0.003, 0.0, HEIGHT / 2), (0.006, 2 * SIDE_Y, HEIGHT), "#4d7571", _WALLPAPER)
     room.box((_MIDDLE_X, 0.0, -0.05), (_DEPTH, 2 * SIDE_Y, 0.1), "#f2dcc4", _PLANKS)
     room.box((_MIDDLE_X, 0.0, HEIGHT / 2 - 0.06), (_DEPTH, 2 * SIDE_Y, HEIGHT + 0.12), "#ead9bd", _SHELL)
