@@ -66,8 +66,7 @@ class Performer:
         self._next = last + 1
         positions = to_sensor(self._motion.joints(times))
         return [
-            BodyFrame(float(time), place, np.ones(JOINT_COUNT), self._player, FLOOR)
-            for time, place in zip(times, positions, strict=True)
+            BodyFrame(float(time), place, np.ones(JOINT_COUNT), self._player, FLOOR) for time, place in zip(times, positions, strict=True)
         ]
 
     def close(self) -> None:

@@ -1,7 +1,7 @@
 """Balancing on one leg (thesis Table 1: limited ground support): left leg up, then the right."""
 
 from game.inputs.performance.curves import Curve, keys
-from game.inputs.performance.script import STANDING, Script, Side
+from game.inputs.performance.script import STANDING, Lift, Script, Side
 
 LENGTH_S = 28.3
 SHIFT_S, RAISE_S = 1.3, 1.1
@@ -12,7 +12,9 @@ STANCE_ZMP_M = 0.097
 
 def script() -> Script:
     sides: tuple[Side, Side] = ("left", "right")
-    airborne = {side: tuple((leaves, lands) for foot, leaves, lands in STANDS if foot == side) for side in sides}
+    airborne: dict[Side, tuple[Lift, ...]] = {
+        side: tuple((leaves, lands) for foot, leaves, lands in STANDS if foot == side) for side in sides
+    }
     return Script(
         LENGTH_S,
         {

@@ -1,16 +1,14 @@
-"""Boxing on the spot (thesis Table 1: energetic full body motion): guard, then jab and cross, a hook of breath between the rounds."""
+"""Boxing on the spot (thesis Table 1: energetic full body motion): guard, then seven times jab and cross."""
 
 from game.inputs.performance.curves import Curve, ease
 from game.inputs.performance.script import STANDING, Script, Side
+from kinect.body import Floats
 
 LENGTH_S = 15.6
 GUARD = (0.8, 1.7, 13.8, 14.8)
 """Fists rise between the first two times and fall between the last two, seconds."""
-PUNCHES: tuple[tuple[float, Side], ...] = tuple(
-    (2.1 + 1.62 * combination + after, side)
-    for combination in range(7)
-    for after, side in (((0.0, "left"), (0.72, "right")))
-)
+COMBINATION: tuple[tuple[float, Side], ...] = ((0.0, "left"), (0.72, "right"))
+PUNCHES: tuple[tuple[float, Side], ...] = tuple((2.1 + 1.62 * times + after, side) for times in range(7) for after, side in COMBINATION)
 OUT_S, HELD_S, BACK_S = 0.21, 0.045, 0.34
 GUARD_ARM = {"flex": 38.0, "side": 12.0, "twist": -12.0, "elbow": 122.0}
 PUNCH_ARM = {"flex": 84.0, "side": -4.0, "twist": -40.0, "elbow": 16.0}
@@ -32,11 +30,12 @@ def script() -> Script:
     )
 
 
-def _guard(t):
+def _guard(t: Floats) -> Floats:
+    """0 with the arms hanging, 1 with the fists up."""
     return ease(t, GUARD[0], GUARD[1]) - ease(t, GUARD[2], GUARD[3])
 
 
-def _out(t, start: float):
+def _out(t: Floats, start: float) -> Floats:
     """0 in the guard, 1 with the fist out."""
     return ease(t, start, start + OUT_S) - ease(t, start + OUT_S + HELD_S, start + OUT_S + HELD_S + BACK_S)
 
@@ -44,7 +43,7 @@ def _out(t, start: float):
 def _arm(side: str, turn: str) -> Curve:
     idle, guard, punch = STANDING[f"{side}.{turn}"], GUARD_ARM[turn], PUNCH_ARM[turn]
 
-    def curve(t):
+    def curve(t: Floats) -> Floats:
         value = idle + (guard - idle) * _guard(t)
         for start, arm in PUNCHES:
             if arm == side:
@@ -57,7 +56,7 @@ def _arm(side: str, turn: str) -> Curve:
 def _twist(degrees: float) -> Curve:
     """The shoulder of the punching arm comes forward."""
 
-    def curve(t):
+    def curve(t: Floats) -> Floats:
         value = 0.0 * t
         for start, arm in PUNCHES:
             turn = -degrees if arm == "left" else degrees

@@ -1,5 +1,6 @@
 """Smooth functions of time: what a script is written in. All are C2 and accept arrays of times (s)."""
 
+import itertools
 from collections.abc import Callable
 
 import numpy as np
@@ -15,20 +16,15 @@ def ease(t: Floats, start: float, end: float) -> Floats:
     return u * u * u * (10.0 + u * (6.0 * u - 15.0))
 
 
-def still(value: float) -> Curve:
-    """A constant."""
-    return lambda t: np.full(np.shape(t), float(value))
-
-
 def keys(*pairs: tuple[float, float]) -> Curve:
     """Through (time, value) pairs, at rest in each; constant outside. Times must increase."""
     times = [time for time, _ in pairs]
-    if not pairs or any(b <= a for a, b in zip(times, times[1:], strict=False)):
+    if not pairs or any(b <= a for a, b in itertools.pairwise(times)):
         raise ValueError(f"Key times must increase, not {times}.")
 
     def curve(t: Floats) -> Floats:
         value = np.full(np.shape(t), float(pairs[0][1]))
-        for (start, a), (end, b) in zip(pairs, pairs[1:], strict=False):
+        for (start, a), (end, b) in itertools.pairwise(pairs):
             if a != b:
                 value = value + (b - a) * ease(t, start, end)
         return value
@@ -66,7 +62,7 @@ def through(*knots: tuple[float, float, float, float]) -> Curve:
 
     def curve(t: Floats) -> Floats:
         value = np.where(t < knots[0][0], knots[0][1], knots[-1][1])
-        for (start, *before), (end, *after) in zip(knots, knots[1:], strict=False):
+        for (start, *before), (end, *after) in itertools.pairwise(knots):
             inside = (t >= start) & (t <= end)
             value = np.where(inside, _quintic((t - start) / (end - start), end - start, before, after), value)
         return value

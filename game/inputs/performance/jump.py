@@ -6,6 +6,7 @@ from game.inputs.performance.script import STANDING, Script, both
 
 LENGTH_S = 21.2
 STARTS_S = (1.0, 6.0, 11.0, 16.0)
+# Take-off and touch-down fall on the 120 Hz grid of motion.py, so that no grid step is half in the air.
 CROUCH_S, PUSH_S, FLIGHT_S, ABSORB_S, RISE_S = 0.80, 0.35, 28.0 / 120.0, 0.31, 0.95
 CROUCH_M, TAKE_OFF_M, LANDING_M, ABSORB_M = -0.150, 0.015, -0.005, -0.150
 """Centre of mass against standing: at the bottom of the crouch, when the feet leave, when they touch, at the bottom of the landing."""

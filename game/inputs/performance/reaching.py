@@ -25,6 +25,4 @@ def script() -> Script:
 
 
 def _reach(idle: float, down_there: float) -> Curve:
-    return keys(
-        *(pair for start, down, up, end in REACHES for pair in ((start, idle), (down, down_there), (up, down_there), (end, idle)))
-    )
+    return keys(*(pair for start, down, up, end in REACHES for pair in ((start, idle), (down, down_there), (up, down_there), (end, idle))))

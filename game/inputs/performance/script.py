@@ -6,7 +6,7 @@ from typing import Final, Literal
 
 import numpy as np
 
-from game.inputs.performance.curves import Curve, keys, still, total
+from game.inputs.performance.curves import Curve, keys
 from kinect.body import Floats
 
 Side = Literal["left", "right"]
@@ -87,6 +87,3 @@ def from_idle(channel: str, *pairs: tuple[float, float]) -> Curve:
 def both(turn: str, curve: Curve) -> dict[str, Curve]:
     """The same curve for the left and the right limb."""
     return {f"{side}.{turn}": curve for side in SIDES}
-
-
-__all__ = ["SIDES", "STANDING", "Script", "Side", "both", "from_idle", "still", "total"]

@@ -1,7 +1,7 @@
 """Stepping on the spot (thesis Table 1: controlled ground support change): the weight goes to one foot before the other lifts."""
 
 from game.inputs.performance.curves import Curve, bump, keys, total
-from game.inputs.performance.script import STANDING, Script, Side, from_idle
+from game.inputs.performance.script import STANDING, Script, Side
 
 LENGTH_S = 10.7
 STEPS = 11
@@ -48,7 +48,7 @@ def _lift(side: str, height: float) -> Curve:
 def _arm_swing(side: str) -> Curve:
     """The arm opposite to the lifted leg swings forward."""
     return total(
-        from_idle(f"{side}.flex", (0, 0), (1, 0)),
+        keys((0.0, STANDING[f"{side}.flex"])),
         *(bump(leaves - 0.15, lands + 0.15, -12.0 if foot == side else 16.0) for foot, leaves, lands in lifts()),
     )
 
