@@ -78,10 +78,15 @@ class App:
         self.times = StageTimes()
         self.frames = self.updates = 0
         self.picture = Picture(self.scene, self.settings, options, self.renderer)
-        self.output = Output(options.picture, options.video, options.fps, self.picture.window)
-        self.actions = Actions(self, self.steering or _puppet_steering())
+        try:
+            self.output = Output(options.picture, options.video, options.fps, self.picture.window)
+            self.actions = Actions(self, self.steering or _puppet_steering())
+            self.scene.enter()
+        except BaseException:
+            self.scene.leave()
+            self.picture.close()
+            raise
         self._began_s = self.clock()
-        self.scene.enter()
 
     @property
     def now_s(self) -> float:

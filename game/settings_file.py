@@ -17,8 +17,9 @@ def default_path() -> Path:
     return Path(platformdirs.user_config_dir("topple", appauthor=False)) / "settings.toml"
 
 
-def load(settings: Settings, path: Path) -> tuple[str, ...]:
-    """Set everything valid that the file holds; returns one sentence for each thing it could not use. No file: nothing, silently."""
+def load(settings: Settings, path: Path | None = None) -> tuple[str, ...]:
+    """Set everything valid that the file (None: the platform's own) holds; a sentence for each thing it could not use. No file: none."""
+    path = path or default_path()
     tables, complaint = _read(path)
     if complaint:
         return (complaint,)
@@ -31,11 +32,12 @@ def load(settings: Settings, path: Path) -> tuple[str, ...]:
     return tuple(complaints)
 
 
-def save(settings: Settings, path: Path) -> str:
+def save(settings: Settings, path: Path | None = None) -> str:
     """Write what differs from the declared defaults; returns a sentence for the player. OSError where the folder cannot be written.
 
     A file that holds anything this version cannot use is first copied to `NAME.bak` (`.bak2`, ... where one exists already).
     """
+    path = path or default_path()
     kept = ""
     if path.exists() and load(Settings(), path):
         spare = _free_name(path)

@@ -66,4 +66,5 @@ def _stages(app: App, readouts: Mapping[str, float | str]) -> Mapping[str, float
     medians = app.times.medians(60)
     own = {name[:-3]: float(value) for name, value in readouts.items() if name.endswith("_ms") and isinstance(value, (int, float))}
     rest = max(0.0, medians.get("update", 0.0) - sum(own.values()))
-    return {**own, "update" if not own else "rest of update": rest, **{s: medians[s] for s in SHOWN_STAGES[1:] if s in medians}}
+    update = {"update": rest} if not own else {"rest of update": rest} if rest > 0.01 else {}
+    return {**own, **update, **{s: medians[s] for s in SHOWN_STAGES[1:] if s in medians}}

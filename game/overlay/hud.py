@@ -21,7 +21,7 @@ class Hud:
 
     def draw(self, ink: Ink, view: View, shown: Shown, size: tuple[float, float]) -> None:
         """Everything, onto a screen of `size` overlay units."""
-        self.toasts.follow(view.messages, view.now_s)
+        self.toasts.follow(tuple(text for text in view.messages if text != view.status), view.now_s)
         self._follow_score(view)
         for label in view.labels:
             width = ink.width(label.text, 0.85)
@@ -82,8 +82,7 @@ class Hud:
         if shown.plots:
             return
         for toast in self.toasts.visible(view.now_s):
-            if toast.text != view.status:
-                y += ink.pill(x, y, toast.text, INK, 0.95, toast.opacity(view.now_s)) + 0.3 * em
+            y += ink.pill(x, y, toast.text, INK, 0.95, toast.opacity(view.now_s)) + 0.3 * em
 
     def _draw_banner(self, ink: Ink, view: View, size: tuple[float, float]) -> None:
         assert self._banner is not None
@@ -110,6 +109,8 @@ def _badges(view: View) -> list[tuple[str, Rgba]]:
     badges: list[tuple[str, Rgba]] = []
     if view.paused:
         badges.append(("paused", ACCENT))
+    elif view.time_s < 0:
+        badges.append(("get ready", COOL))
     elif view.finished:
         badges.append(("end of the recording: R plays it again", COOL))
     if view.speed < 0.93 and not view.paused:

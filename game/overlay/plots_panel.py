@@ -30,7 +30,8 @@ def draw_plots(view: View, shown: Shown, fonts: Fonts, size: tuple[float, float]
     draw_stage_bar(view.stage_ms, fonts)
     for plot in view.plots:
         imgui.push_font(fonts.strong, 0.9 * imgui.get_style().font_size_base)
-        imgui.text(f"{plot.title}, {plot.unit}" if plot.unit else plot.title)
+        title = plot.title[:1].upper() + plot.title[1:]
+        imgui.text(f"{title}, {plot.unit}" if plot.unit else title)
         imgui.pop_font()
         imgui.push_font(None, 0.8 * imgui.get_style().font_size_base)
         if plot.kind == "plan":
@@ -76,6 +77,7 @@ def _plan(plot: Plot, em: float) -> None:
             implot.plot_line(name, _array(outline[0]), _array(outline[1]), _spec(colour, 1.5))
         elif len(x):
             implot.plot_line(name, _array(x), _array(y), _spec(colour, 1.5))
+            implot.plot_scatter(name, _array(x[-1:]), _array(y[-1:]), _spec(colour, 1.5, marker=number))
     implot.end_plot()
 
 

@@ -1,5 +1,6 @@
 """Sentences that come, stay a while and fade."""
 
+from collections import Counter
 from dataclasses import dataclass
 
 STAY_S = 5.0
@@ -28,8 +29,10 @@ class Toasts:
 
     def follow(self, messages: tuple[str, ...], now_s: float) -> None:
         """Add the messages that were not in the list the last time."""
-        for text in messages[_overlap(self._seen, messages) :]:
-            self.add(text, now_s)
+        fresh = Counter(messages) - Counter(self._seen)
+        for text in messages:
+            if fresh[text] > 0:
+                self.add(text, now_s)
         self._seen = messages
 
     def add(self, text: str, now_s: float) -> None:
@@ -40,11 +43,3 @@ class Toasts:
         """Oldest first, those that still show."""
         self._toasts = [t for t in self._toasts if t.opacity(now_s) > 0.0]
         return list(self._toasts)
-
-
-def _overlap(old: tuple[str, ...], new: tuple[str, ...]) -> int:
-    """How many of `new`'s first entries are the end of `old`: a list of messages grows at its end and may be cut at its start."""
-    for length in range(min(len(old), len(new)), 0, -1):
-        if old[-length:] == new[:length]:
-            return length
-    return 0

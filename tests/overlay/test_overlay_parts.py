@@ -91,3 +91,22 @@ def test_plots_of_every_shape_draw_without_a_fault(play_box: PlayBox) -> None:
     before = pilot.app.output.read()
     pilot.frames(4)
     assert (pilot.app.output.read() != before).any()
+
+
+def test_a_message_said_twice_is_shown_twice_and_old_ones_do_not_come_back() -> None:
+    toasts = Toasts()
+    toasts.follow(("Rival fell",), 0.0)
+    toasts.follow(("Rival fell", "Rival fell"), 20.0)
+    assert [(t.text, t.came_s) for t in toasts.visible(20.0)] == [("Rival fell", 20.0)]
+    toasts.follow(("Rival fell",), 40.0)
+    assert toasts.visible(40.0) == []
+
+
+def test_the_inputs_status_is_one_line_and_never_a_message_as_well(play_box: PlayBox) -> None:
+    scene = BouncingBox()
+    pilot = play_box(scene=scene)
+    scene.said = ("The puppet follows keys (a kick)", "It fell after 2.0 s")
+    pilot.frames(1)
+    scene.said = ("The puppet follows keys", "It fell after 2.0 s")
+    pilot.frames(1)
+    assert [t.text for t in pilot.overlay.hud.toasts.visible(pilot.app.now_s)] == ["It fell after 2.0 s"]
