@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from game.commands import main
 from game.tunables import TUNABLES
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -35,3 +36,13 @@ def test_every_script_that_a_page_names_exists() -> None:
     named = {name for page in PAGES for name in re.findall(r"scripts/\w+\.\w+", page.read_text(encoding="utf-8"))}
     assert named
     assert [name for name in named if not (ROOT / name).is_file()] == []
+
+
+def test_the_readme_names_only_options_that_the_command_line_knows(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    known = set(re.findall(r"--[a-z-]+", capsys.readouterr().out))
+    starts = re.findall(r"scripts/play\.sh (.*)", (ROOT / "README.md").read_text(encoding="utf-8"))
+    named = set(re.findall(r"--[a-z][a-z-]+", " ".join(starts)))
+    assert len(named) > 5
+    assert named <= known
