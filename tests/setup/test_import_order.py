@@ -52,6 +52,7 @@ def test_the_package_alone_imports_none_of_them() -> None:
 
 def test_a_run_without_a_picture_never_loads_the_libraries_of_the_picture(tmp_path: Path) -> None:
     options = ["--no-draw", "--input", "performer:waving", "--seconds", "0.1", "--report", str(tmp_path / "run.json")]
-    code = f"import sys; from game.commands import main; main({options}); print(sorted({{'moderngl', 'imgui_bundle', 'glfw'}} & set(sys.modules)))"
+    libraries = {"moderngl", "imgui_bundle", "glfw"}
+    code = f"import sys; from game.commands import main; main({options}); print(sorted({libraries} & set(sys.modules)))"
     assert python(code)[-1] == "[]"
     assert (tmp_path / "run.json").is_file()
