@@ -36,7 +36,10 @@ class Pendulum:
         return self.com + self.velocity / np.sqrt(GRAVITY / height)
 
     def step(self, wanted: Floats, support: Support | None, height: float, step_s: float) -> None:
-        """Advance towards the wanted place (2,); in flight (no support) the velocity stays."""
+        """Advance towards the wanted place (2,); in flight (no support) the velocity stays.
+
+        A capture point outside the support could never come back: it is held at the edge, whatever led it there.
+        """
         h = step_s / _SUBSTEPS
         w = float(np.sqrt(GRAVITY / height))
         for _ in range(_SUBSTEPS):
@@ -48,3 +51,5 @@ class Pendulum:
             off, cosh, sinh = self.com - p, np.cosh(w * h), np.sinh(w * h)
             self.com = p + off * cosh + self.velocity / w * sinh
             self.velocity = off * w * sinh + self.velocity * cosh
+            held = np.clip(self.com + self.velocity / w, support.low, support.high)  # the strings hold what feet could not
+            self.velocity = w * (held - self.com)

@@ -8,7 +8,7 @@ import numpy as np
 
 from game.inputs.performance.balance import GRAVITY
 from game.inputs.performance.curves import Curve, bump, keys, through
-from game.inputs.performance.script import STANCE_Y_M, Side
+from game.inputs.performance.script import Side
 from game.inputs.puppet_balance import Support
 from game.inputs.puppet_controls import PuppetControls
 
@@ -16,8 +16,9 @@ Move = Literal["step", "kick", "jump"]
 
 _STANCE_ZMP_M: Final = 0.094  # over the inner half of the sole, as people stand on one leg
 _FOOT_X_M: Final = (-0.09, 0.12)
-_FOOT_HALF_WIDTH_M: Final = 0.035
-_READY_M: Final = 0.025  # the foot lifts once the capture point is this near to the standing foot's middle
+_INNER_M, _OUTER_M = 0.040, 0.026  # how far the ground force may leave the middle of the standing foot
+_READY_M: Final = 0.037  # the foot lifts once the capture point is this near to the standing foot's middle
+_RETURN_S: Final = 0.20  # before it lands the weight begins to fall back towards it
 _LONGEST_SHIFT_S: Final = 1.0
 
 STEP_S: Final = 0.48
@@ -52,8 +53,8 @@ _SWINGS: Final[Mapping[Move, Mapping[str, Curve]]] = {
         "trunk.pitch": _jump(32.0, 6.0, 24.0),
         "pelvis.pitch": _jump(16.0, 2.0, 12.0),
         "head.pitch": _jump(12.0, 2.0, 8.0),
-        **{f"{side}.flex": _jump(-33.0, 39.0, 19.0) for side in ("left", "right")},
-        **{f"{side}.elbow": _jump(12.0, 30.0, 20.0) for side in ("left", "right")},
+        **{f"{side}.flex": _jump(-22.0, 30.0, 16.0) for side in ("left", "right")},
+        **{f"{side}.elbow": _jump(10.0, 26.0, 18.0) for side in ("left", "right")},
         **{f"{side}.lift": bump(LEAVES_S, LANDS_S, 0.077) for side in ("left", "right")},
         **{
             f"{side}.tilt": keys((0.69, 0.0), (0.88, 26.0), (0.96, 14.0), (LANDS_S - 0.01, 20.0), (LANDS_S + 0.14, 0.0))
@@ -105,7 +106,8 @@ class Footwork:
             return
         if self.move != "jump":
             channels["zmp.x"] = 0.0
-            channels["zmp.y"] = self._stance_y()
+            landing = not self.shifting and self.clock_s > _LASTS[self.move] - _RETURN_S
+            channels["zmp.y"] = 0.0 if landing else self._stance_y()
         if self.shifting:
             return
         stance: Side = "right" if self.side == "left" else "left"
@@ -119,8 +121,8 @@ class Footwork:
         if swinging and self.move == "jump":
             return None if LEAVES_S < self.clock_s < LANDS_S else _BOTH
         if swinging:
-            middle = self._stance_y()
-            return Support(np.array([_FOOT_X_M[0], middle - _FOOT_HALF_WIDTH_M]), np.array([_FOOT_X_M[1], middle + _FOOT_HALF_WIDTH_M]))
+            edges = sorted(np.sign(self._stance_y()) * np.array([_STANCE_ZMP_M - _INNER_M, _STANCE_ZMP_M + _OUTER_M]))
+            return Support(np.array([_FOOT_X_M[0], edges[0]]), np.array([_FOOT_X_M[1], edges[1]]))
         return _BOTH
 
     def rise(self) -> tuple[float, float]:
@@ -144,6 +146,4 @@ class Footwork:
                 return
 
 
-_BOTH: Final = Support(
-    np.array([_FOOT_X_M[0], -STANCE_Y_M - _FOOT_HALF_WIDTH_M]), np.array([_FOOT_X_M[1], STANCE_Y_M + _FOOT_HALF_WIDTH_M])
-)
+_BOTH: Final = Support(np.array([_FOOT_X_M[0], -_STANCE_ZMP_M - _OUTER_M]), np.array([_FOOT_X_M[1], _STANCE_ZMP_M + _OUTER_M]))

@@ -20,11 +20,13 @@ _WISHES: Final[dict[str, tuple[float, dict[str, float]]]] = {
     "wave": (0.15, {"trunk.roll": -3.0, "head.yaw": -6.0}),
     "raise_left": (0.20, {}),
     "raise_right": (0.20, {}),
-    "thrust_left": (0.090, {"trunk.yaw": -12.0, "pelvis.yaw": -5.0, "trunk.pitch": 4.0}),
-    "thrust_right": (0.090, {"trunk.yaw": 12.0, "pelvis.yaw": 5.0, "trunk.pitch": 4.0}),
+    "thrust_left": (0.075, {"trunk.yaw": -12.0, "pelvis.yaw": -5.0, "trunk.pitch": 4.0}),
+    "thrust_right": (0.075, {"trunk.yaw": 12.0, "pelvis.yaw": 5.0, "trunk.pitch": 4.0}),
 }
 _NAMES: Final = tuple(_WISHES)
 _RATES: Final[Floats] = np.array([1.0 / _WISHES[name][0] for name in _NAMES])
+_BUSY: Final = {"lean_forward": 0.3, "lean_back": 0.3, "lean_left": 0.0, "lean_right": 0.0, "crouch": 0.3}
+_OFF_BALANCE: Final[Floats] = np.array([_BUSY.get(name, 1.0) for name in _NAMES])  # share of a wish that counts on one foot or none
 
 _HANGS: Final = {"lean_forward": 26.0, "crouch": 34.0, "lean_back": -8.0}  # degrees of flex that let the arms hang beside a bent trunk
 _GUARD: Final = {"flex": 38.0, "side": 12.0, "twist": -12.0, "elbow": 122.0}
@@ -43,10 +45,10 @@ class Posture:
     rate: Floats = field(default_factory=lambda: np.zeros(len(_NAMES)))
 
     def step(self, controls: PuppetControls, step_s: float, on_both_feet: bool) -> None:
-        """Move every wish towards the controls; off balance (a step, a kick, a jump) the puppet neither leans nor crouches."""
+        """Move every wish towards the controls; in a step, a kick or a jump leaning and crouching count little."""
         wanted = np.array([_wish(controls, name) for name in _NAMES])
         if not on_both_feet:
-            wanted[:5] *= (0.3, 0.3, 0.0, 0.0, 0.3)
+            wanted *= _OFF_BALANCE
         off = self.value - wanted
         slope = (self.rate + _RATES * off) * step_s
         decay = np.exp(-_RATES * step_s)

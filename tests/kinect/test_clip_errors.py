@@ -49,7 +49,7 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_a_field_that_is_wrong_is_named(tmp_path, case):
     fields, words = CASES[case]
-    np.savez(tmp_path / "bad.npz", **fields)
+    np.savez(tmp_path / "bad.npz", **fields)  # pyright: ignore[reportArgumentType]
     assert words in failure(tmp_path / "bad.npz")
 
 
