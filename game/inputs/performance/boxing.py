@@ -9,10 +9,12 @@ GUARD = (0.8, 1.7, 13.8, 14.8)
 """Fists rise between the first two times and fall between the last two, seconds."""
 COMBINATION: tuple[tuple[float, Side], ...] = ((0.0, "left"), (0.72, "right"))
 PUNCHES: tuple[tuple[float, Side], ...] = tuple((2.1 + 1.62 * times + after, side) for times in range(7) for after, side in COMBINATION)
-OUT_S, HELD_S, BACK_S = 0.21, 0.045, 0.34
-GUARD_ARM = {"flex": 38.0, "side": 12.0, "twist": -12.0, "elbow": 122.0}
-PUNCH_ARM = {"flex": 84.0, "side": -4.0, "twist": -40.0, "elbow": 16.0}
+OUT_S, HELD_S, BACK_S = 0.205, 0.045, 0.35
+GUARD_ARM = {"flex": 30.0, "side": 10.0, "twist": -20.0, "elbow": 130.0}
+PUNCH_ARM = {"flex": 84.0, "side": 0.0, "twist": -24.0, "elbow": 15.0}
 TWIST_DEG = 15.0
+SHIFT_M = 0.020
+"""The weight goes over to the foot across from the fist."""
 
 
 def script() -> Script:
@@ -26,6 +28,7 @@ def script() -> Script:
             "pelvis.height": lambda t: STANDING["pelvis.height"] - 0.035 * _guard(t),
             "trunk.pitch": lambda t: 6.0 * _guard(t),
             "zmp.x": lambda t: 0.012 * _guard(t),
+            "zmp.y": _twist(SHIFT_M),
         },
     )
 
@@ -53,13 +56,13 @@ def _arm(side: str, turn: str) -> Curve:
     return curve
 
 
-def _twist(degrees: float) -> Curve:
-    """The shoulder of the punching arm comes forward."""
+def _twist(amount: float) -> Curve:
+    """To minus amount (right) with each left fist, to amount with each right one: the punching shoulder comes forward."""
 
     def curve(t: Floats) -> Floats:
         value = 0.0 * t
         for start, arm in PUNCHES:
-            turn = -degrees if arm == "left" else degrees
+            turn = -amount if arm == "left" else amount
             value = value + turn * (ease(t, start - 0.06, start + OUT_S + 0.02) - ease(t, start + OUT_S + HELD_S, start + 0.76))
         return value
 
