@@ -3,5 +3,9 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/scripts/setup.sh"
+case " $* " in
+    *" --no-draw "*) ;;    # needs no graphics
+    *) set_up_gl ;;
+esac
 set_up play
 exec "$python" "$root/run_game.py" "$@"

@@ -1,5 +1,6 @@
 # shellcheck shell=sh
-# Sourced by play.sh and test.sh: brings a bare computer to where Topple runs. `set_up play` or `set_up test`; $root is the project folder.
+# Sourced by play.sh and test.sh: brings a bare computer to where Topple runs. `set_up_gl`, then `set_up play` or `set_up test`;
+# $root is the project folder.
 # Plain POSIX sh. TOPPLE_PYTHON names the Python to use; TOPPLE_VENV puts the environment elsewhere than .venv.
 
 venv=${TOPPLE_VENV:-$root/.venv}
@@ -104,7 +105,6 @@ install_packages() {
 }
 
 set_up() {
-    set_up_gl
     make_venv || exit 1
     install_packages "$1" || exit 1
 }

@@ -3,5 +3,6 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/scripts/setup.sh"
+set_up_gl
 set_up test
 exec "$python" "$root/scripts/check.py" "$@"

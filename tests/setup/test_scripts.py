@@ -40,13 +40,13 @@ def test_a_python_of_the_wrong_version_is_one_sentence(tmp_path: Path) -> None:
     old = tmp_path / "python2"
     old.write_text("#!/bin/sh\nexit 1\n")
     old.chmod(0o755)
-    done = sh("set_up_gl() { :; }; set_up play", TOPPLE_PYTHON=str(old), TOPPLE_VENV=str(tmp_path / "venv"))
+    done = sh("set_up play", TOPPLE_PYTHON=str(old), TOPPLE_VENV=str(tmp_path / "venv"))
     assert done.returncode == 1
     assert done.stderr == f"topple: TOPPLE_PYTHON={old} is no Python 3.11, 3.12 or 3.13 with the venv module; name one, or unset it.\n"
 
 
 def test_no_python_at_all_is_one_sentence(tmp_path: Path) -> None:
-    done = sh("set_up_gl() { :; }; PATH=/nowhere; set_up play", TOPPLE_VENV=str(tmp_path / "venv"))
+    done = sh("PATH=/nowhere; set_up play", TOPPLE_VENV=str(tmp_path / "venv"))
     assert done.returncode == 1
     assert done.stderr.strip().splitlines()[-1].startswith("topple: no Python 3.11, 3.12 or 3.13 with the venv module found")
 
@@ -59,12 +59,21 @@ def test_without_rights_the_missing_libraries_are_named_and_the_set_up_goes_on()
     assert "--no-draw" in done.stderr
 
 
+def test_a_run_without_a_picture_asks_for_no_libraries(tmp_path: Path) -> None:
+    (tmp_path / "scripts").mkdir()
+    shutil.copy(ROOT / "scripts" / "play.sh", tmp_path / "scripts")
+    (tmp_path / "scripts" / "setup.sh").write_text('python=true; set_up_gl() { echo graphics; }; set_up() { echo "set up $1"; }\n')
+    play = ["sh", str(tmp_path / "scripts" / "play.sh")]
+    assert subprocess.run([*play, "--no-draw"], capture_output=True, text=True, check=True).stdout == "set up play\n"
+    assert subprocess.run(play, capture_output=True, text=True, check=True).stdout == "graphics\nset up play\n"
+
+
 def test_what_is_installed_is_not_installed_again(tmp_path: Path) -> None:
     (tmp_path / "bin").mkdir()
     (tmp_path / "bin" / "python").symlink_to(sys.executable)
     (tmp_path / "made-with").write_text("python3\n")
     shutil.copy(ROOT / "requirements" / "test.txt", tmp_path / "installed-test.txt")
-    done = sh("set_up_gl() { :; }; set_up test; set_up play; echo ready", TOPPLE_VENV=str(tmp_path))
+    done = sh("set_up test; set_up play; echo ready", TOPPLE_VENV=str(tmp_path))
     assert (done.returncode, done.stdout, done.stderr) == (0, "ready\n", "")
 
 
