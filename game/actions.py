@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from game import settings_file
 from game.inputs.gamepad import GamepadState, read_gamepad
-from game.inputs.steering import Steered, Steering
+from game.inputs.steering import Controls, Steering, present
 from game.presets import apply_preset
 from game.scenes.scene import Scene
 from game.shortcuts import SHORTCUTS
@@ -25,7 +25,7 @@ class Staged:
     """A scene that is to replace the one being played, what keys and gamepad steer in it, and the spec of its input."""
 
     scene: Scene
-    controls: Steered | None = None
+    controls: Controls = None
     input_spec: str = ""
 
 
@@ -87,7 +87,7 @@ class Actions:
         gamepad = self.gamepad()
         self._start_button(gamepad)
         pressed = frozenset() if self.paused else frozenset(events.keyboard.pressed)
-        if self.steering.route(self._app.controls, pressed, None if self.paused else gamepad) and self.first_input_s is None:
+        if self.steering.route(present(self._app.controls), pressed, None if self.paused else gamepad) and self.first_input_s is None:
             self.first_input_s = self._app.now_s
 
     def do(self, action: str, value: str = "") -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from game.actions import Actions, Staged
-from game.inputs.steering import Steered, Steering
+from game.inputs.steering import Controls, Steering
 from game.output import Output
 from game.pacing import UPDATE_S, StepPace, WallPace, is_over
 from game.picture import Picture
@@ -17,7 +17,7 @@ from game.stage_times import StageTimes
 from game.tunables import Settings
 
 HEADLESS_S = 20.0
-"""How long a run without a display lasts where neither `seconds` nor the end of a recording stops it."""
+"""How long a headless run of a scene lasts that never ends by itself, where `seconds` does not say."""
 
 
 @dataclass(frozen=True)
@@ -58,14 +58,15 @@ class AppReport:
 class App:
     """The loop, one picture frame at a time. Raises NoPicture where nothing can be drawn on this machine.
 
-    controls: what keys and gamepad steer, None for nothing; on_request(kind, value) answers "scene" and "input" with a new Staged,
-    and raises ValueError with a sentence where it cannot; clock: seconds, paces a window and never changes what an update does.
+    controls: what keys and gamepad steer, or a function that gives it, None for nothing; clock: seconds, paces a window and never
+    changes what an update does; on_request(kind, value) answers "scene" and "input" with a new Staged and raises ValueError with a
+    sentence where it cannot.
     """
 
     scene: Scene
     settings: Settings
     options: Options = field(default_factory=Options)
-    controls: Steered | None = None
+    controls: Controls = None
     on_request: Callable[[str, str], Staged | None] | None = None
     clock: Callable[[], float] = time.perf_counter
     renderer: Any = None
@@ -98,12 +99,13 @@ class App:
         """Nothing is left to do: the run is at its end, or the player has had enough."""
         if self.picture.window.should_close or self.actions.quit:
             return True
-        return is_over(self.scene, self._seconds) if self.options.headless else self._timed_out
+        return is_over(self.scene, self.seconds) if self.options.headless else self._timed_out
 
     @property
-    def _seconds(self) -> float | None:
-        endless = self.options.headless and self.options.seconds is None
-        return HEADLESS_S if endless else self.options.seconds
+    def seconds(self) -> float | None:
+        """The end of a run nobody watches: as asked, else 20 s of what never ends by itself; None up to the recording's end."""
+        endless = getattr(self.scene, "endless", False)
+        return HEADLESS_S if self.options.seconds is None and endless else self.options.seconds
 
     @property
     def _timed_out(self) -> bool:
@@ -152,14 +154,13 @@ def play(
     settings: Settings,
     options: Options,
     *,
-    controls: Steered | None = None,
+    controls: Controls = None,
     on_request: Callable[[str, str], Staged | None] | None = None,
     clock: Callable[[], float] = time.perf_counter,
 ) -> AppReport:
     """Play a scene until it is over or the player quits; headless with a progress bar on stderr. Raises NoPicture."""
     app = App(scene, settings, options, controls, on_request, clock)
-    seconds = options.seconds if options.seconds is not None else HEADLESS_S
-    progress = Progress("topple", seconds) if options.headless else None
+    progress = Progress("topple", app.seconds) if options.headless else None
     try:
         while not app.over:
             app.frame()

@@ -41,6 +41,8 @@ class Output:
             self._copy = self._window.ctx.simple_framebuffer(size, 3)
         # through a copy, since moderngl's read of the default framebuffer itself leaves a GL error behind
         self._window.ctx.copy_framebuffer(self._copy, self._window.screen)
+        if self._window.kind == "osmesa":
+            _ = self._window.ctx.error  # memory has no back buffer: moderngl names one all the same, and the copy is right
         pixels = np.frombuffer(self._copy.read(components=3, alignment=1), np.uint8)
         self._window.screen.use()
         return pixels.reshape(height, width, 3)[::-1]

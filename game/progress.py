@@ -6,10 +6,13 @@ from typing import TextIO
 
 
 class Progress:
-    """Draws `label [####    ] 42 %  3.1 of 7.5 s` in place; on a stream that is no terminal only every tenth of the way."""
+    """Draws `label [####    ] 42 %  3.1 of 7.5 s` in place; on a stream that is no terminal only every tenth of the way.
 
-    def __init__(self, label: str, total_s: float, stream: TextIO | None = None) -> None:
-        self._label, self._total = label, max(total_s, 1e-9)
+    Where the whole length is not known (None) it counts seconds, on such a stream every tenth one.
+    """
+
+    def __init__(self, label: str, total_s: float | None, stream: TextIO | None = None) -> None:
+        self._label, self._total = label, total_s
         self._stream = stream if stream is not None else sys.stderr
         self._live = self._stream.isatty()
         self._shown = -1
@@ -17,14 +20,17 @@ class Progress:
 
     def show(self, done_s: float) -> None:
         """Show that `done_s` simulated seconds are done."""
-        part = min(1.0, max(0.0, done_s / self._total))
-        tick = int(part * (100 if self._live else 10))
+        took = time.perf_counter() - self._started
+        if self._total is None:
+            tick = int(done_s) if self._live else int(done_s) // 10
+            line = f"{self._label}  {max(0.0, done_s):.0f} s, took {took:.0f} s"
+        else:
+            part = min(1.0, max(0.0, done_s / max(self._total, 1e-9)))
+            tick = int(part * (100 if self._live else 10))
+            line = f"{self._label} [{'#' * int(part * 30):<30}] {part * 100:3.0f} %  {done_s:.1f} of {self._total:.1f} s, took {took:.0f} s"
         if tick == self._shown:
             return
         self._shown = tick
-        bar = "#" * int(part * 30)
-        took = time.perf_counter() - self._started
-        line = f"{self._label} [{bar:<30}] {part * 100:3.0f} %  {done_s:.1f} of {self._total:.1f} s, took {took:.0f} s"
         self._stream.write(f"\r{line}" if self._live else f"{line}\n")
         self._stream.flush()
 

@@ -13,6 +13,15 @@ class Steered(Protocol):
     controls: Any
 
 
+Controls = Steered | Callable[[], Steered | None] | None
+"""What is steered: the thing itself, or a function that gives the present one, since a restart may open a new puppet."""
+
+
+def present(controls: Controls) -> Steered | None:
+    """The thing that is steered right now."""
+    return controls() if callable(controls) else controls
+
+
 class Steering:
     """Hands controls on only when they change, so that a script which steers the same puppet is left alone while nobody plays.
 
@@ -24,6 +33,7 @@ class Steering:
         self._idle = from_keys(frozenset())
         self._keys = self._idle
         self._pad = self._idle
+        self._steered: Steered | None = None
         self.touched = False
 
     def route(self, steered: Steered | None, pressed: Set[str], gamepad: GamepadState | None) -> bool:
@@ -32,6 +42,9 @@ class Steering:
         pad = self._idle if gamepad is None else self._from_gamepad(gamepad.axes, gamepad.buttons)
         changed = keys if keys != self._keys else pad if pad != self._pad else None
         self._keys, self._pad = keys, pad
+        if changed is None and steered is not self._steered and self.touched:
+            changed = self._idle  # a new puppet knows nothing of what is still held down
+        self._steered = steered
         if changed is None:
             return False
         if changed == self._idle:  # one of the two was let go: the other may still be held

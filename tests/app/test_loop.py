@@ -148,6 +148,42 @@ def test_progress_on_a_file_is_ten_lines_and_not_a_thousand() -> None:
     assert "[##############################] 100 %  10.0 of 10.0 s" in lines[-1]
 
 
+def test_a_run_of_unknown_length_counts_seconds() -> None:
+    stream = io.StringIO()
+    bar = Progress("topple", None, stream)
+    for tenth in range(300):
+        bar.show(tenth / 10)
+    assert [line.split(",")[0] for line in stream.getvalue().splitlines()] == ["topple  0 s", "topple  10 s", "topple  20 s"]
+
+
+def test_a_headless_run_of_what_never_ends_is_twenty_seconds_long(make_app: MakeApp) -> None:
+    scene = BouncingBox()
+    scene.endless = True  # type: ignore[attr-defined]
+    assert make_app(scene).seconds == 20.0
+    assert make_app(scene, seconds=3.0).seconds == 3.0
+    assert make_app(BouncingBox(length_s=32.0)).seconds is None
+
+
+def test_a_scene_that_cannot_start_leaves_no_window_behind(make_app: MakeApp) -> None:
+    broken = BouncingBox()
+    broken.enter = lambda: int("nobody")  # type: ignore[method-assign, assignment, return-value]
+    with pytest.raises(ValueError, match="nobody"):
+        make_app(broken)
+    assert broken.left == 1
+    assert make_app(BouncingBox()).picture.window.kind in ("egl", "osmesa")
+
+
+def test_memory_without_a_window_draws_the_same_picture(make_app: MakeApp, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("TOPPLE_GL", "osmesa")
+    app = make_app(BouncingBox(), seconds=0.05, picture=tmp_path / "memory.png", overlay=True)
+    assert app.picture.overlay is None
+    run_out(app)
+    assert app.picture.window.ctx.error == "GL_NO_ERROR"
+    app.close()
+    with Image.open(tmp_path / "memory.png") as picture:
+        assert np.abs(np.asarray(picture)[45, 80] - np.array([140, 128, 110])).max() <= 1
+
+
 def test_stage_times_are_medians_of_the_newest_samples() -> None:
     times = StageTimes()
     for ms in (100.0, 1.0, 2.0, 3.0):

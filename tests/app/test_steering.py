@@ -5,7 +5,7 @@ import glfw
 from game.inputs.gamepad import AXES, BUTTONS, GamepadState
 from game.inputs.keyboard import KEY_CODES, KEY_NAMES, Keyboard
 from game.inputs.puppet_controls import AXIS_ORDER, BUTTON_ORDER, KEYS, PuppetControls, controls_from_gamepad, controls_from_keys
-from game.inputs.steering import Steering
+from game.inputs.steering import Steering, present
 from game.shortcuts import SHORTCUTS
 
 
@@ -73,3 +73,12 @@ def test_a_press_while_typing_is_not_a_game_key_but_its_release_always_counts() 
     assert keyboard.take_presses() == []
     keyboard.event(-1, glfw.PRESS)
     assert keyboard.pressed == set()
+
+
+def test_a_puppet_that_a_restart_opened_anew_does_what_is_still_held() -> None:
+    steering, first, second = Steering(controls_from_keys, controls_from_gamepad), Doll(), Doll()
+    steering.route(present(lambda: first), {"space"}, None)
+    steering.route(present(lambda: second), {"space"}, None)
+    assert second.controls.jump
+    assert present(second) is second
+    assert present(None) is None

@@ -192,3 +192,13 @@ def test_keys_are_let_go_when_the_window_loses_the_keyboard(play_box: PlayBox) -
     pilot.frames()
     assert pilot.app.controls is not None
     assert pilot.app.controls.controls == Push()
+
+
+def test_f11_fills_the_screen_and_gives_the_window_back(play_box: PlayBox) -> None:
+    pilot = play_box(size=(640, 360))
+    pilot.press("f11")
+    full = pilot.app.picture.window.framebuffer_size
+    assert full != (640, 360)
+    assert pilot.app.output.read().shape == (full[1], full[0], 3)
+    pilot.press("f11")
+    assert pilot.app.picture.window.framebuffer_size == (640, 360)
