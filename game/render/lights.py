@@ -15,18 +15,21 @@ SHADOW_REACH_M = 3.7
 _KEY = (2.55, 2.05, 1.50)
 _SKY = (0.19, 0.23, 0.31)
 _GROUND = (0.17, 0.12, 0.085)
+_FILL = (0.20, 0.15, 0.11)
 _RIM = (0.55, 0.70, 0.95)
 _LEAST_GLOW = 0.5
 
 
 @dataclass(frozen=True)
 class Lights:
-    """Linear RGB intensities; to_light is the unit vector towards the main light."""
+    """Linear RGB intensities; to_light is the unit vector towards the main light, to_fill towards the soft one opposite."""
 
     to_light: Vector
     key: Vector
     sky: Vector
     ground: Vector
+    fill: Vector
+    to_fill: Vector
     rim: Vector
 
 
@@ -35,7 +38,9 @@ def room_lights(settings: Settings) -> Lights:
     azimuth = math.radians(settings.number("picture.light_azimuth_deg"))
     height = math.radians(settings.number("picture.light_height_deg"))
     level = math.cos(height)
-    return Lights((math.cos(azimuth) * level, math.sin(azimuth) * level, math.sin(height)), _KEY, _SKY, _GROUND, _RIM)
+    to_light = (math.cos(azimuth) * level, math.sin(azimuth) * level, math.sin(height))
+    to_fill = (-math.cos(azimuth), -math.sin(azimuth), 0.0)
+    return Lights(to_light, _KEY, _SKY, _GROUND, _FILL, to_fill, _RIM)
 
 
 def shadow_matrix(to_light: Vector) -> Matrix:

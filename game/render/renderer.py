@@ -25,7 +25,7 @@ from game.render.shadow_map import ShadowMap
 from game.render.solids import Solids
 from game.render.static_layers import StaticLayers
 from game.render.targets import Targets
-from game.tunables import Settings
+from game.tunables import TUNABLES, Settings
 
 _MATERIALS, _SHADOW, _SHADOW_DEPTH, _CONTACT, _OCCLUSION = range(5)
 _BACKGROUND = (0.05, 0.045, 0.04)
@@ -89,7 +89,7 @@ class Renderer:
                 held.release()
 
     def _take(self, layers: Sequence[Layer]) -> Packed:
-        fixed, moving, changed = self._static.split(layers)
+        fixed, moving, changed = self._static.split([layer for layer in layers if self._shows(layer)])
         packed = pack(moving)
         if changed:
             self._fixed = pack(fixed)
@@ -101,6 +101,10 @@ class Renderer:
             self._lamps_from = lamps
             self._adopt_settings()
         return packed
+
+    def _shows(self, layer: Layer) -> bool:
+        name = f"layer.{layer.name}"
+        return name not in TUNABLES or self.settings.switch(name)
 
     def _adopt_settings(self) -> None:
         self._adopted = self.settings.version
@@ -114,6 +118,8 @@ class Renderer:
             u_key=lights.key,
             u_sky=lights.sky,
             u_ground=lights.ground,
+            u_fill=lights.fill,
+            u_to_fill=lights.to_fill,
             u_rim=lights.rim,
             u_lamp=places,
             u_lamp_colour=colours,

@@ -107,7 +107,8 @@ def _cut(trims: Sequence[Trim], surface: Surface, half: Floats) -> _Piece:
 def _balls(sizes: bytes, index: int) -> tuple[Floats, Floats]:
     size = np.frombuffer(sizes, dtype=np.float64).reshape(-1, 3)
     radius = 0.40 * size[1:, :2].min(axis=1)
-    radius[PARTS.index("head") - 1] = 0.3 * size[PARTS.index("head"), 1]
+    for name, share in (("head", 0.3), ("upper_arm_left", 0.2), ("upper_arm_right", 0.2)):  # inside neck and shoulder pads
+        radius[PARTS.index(name) - 1] = share * size[PARTS.index(name), 1]
     return radius, np.tile(paint(costume_of(index).joints), (len(radius), 1))
 
 

@@ -9,6 +9,8 @@ uniform vec3 u_to_light;
 uniform vec3 u_key;
 uniform vec3 u_sky;
 uniform vec3 u_ground;
+uniform vec3 u_fill;
+uniform vec3 u_to_fill;
 uniform vec3 u_rim;
 uniform vec4 u_lamp[LAMPS];        // position, radius
 uniform vec3 u_lamp_colour[LAMPS];
@@ -50,7 +52,7 @@ void main() {
     float toward = max(dot(normal, u_to_light), 0.0);
     float sun = toward > 0.0 ? shadow_light(toward) : 0.0;
     vec3 light = u_key * (toward * sun) * mix(1.0, open, 0.35);
-    light += mix(u_ground, u_sky, normal.z * 0.5 + 0.5) * open;
+    light += (mix(u_ground, u_sky, normal.z * 0.5 + 0.5) + u_fill * (0.55 + 0.45 * dot(normal, u_to_fill))) * open;
     for (int i = 0; i < LAMPS; ++i) {
         vec3 way = u_lamp[i].xyz - v_position;
         float square = dot(way, way);
