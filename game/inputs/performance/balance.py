@@ -47,14 +47,14 @@ def solve_pelvis_path(
     com_rise: Floats | None,
     airborne: np.ndarray,
     step_s: float,
+    rounds: int,
     start: Floats | None = None,
-    rounds: int = 7,
 ) -> Floats:
     """(T, 3) world path of HIP_CENTER, metres.
 
     zmp: (T, 2) wanted zero moment point, metres. com_rise: (T,) height of the centre of mass above that of the first sample,
     metres, or None to keep the figure's pelvis height. airborne: (T,) True where both feet are off the floor.
-    start: (T, 3) a path near the solution, if one is known.
+    rounds: how many Newton steps; each leaves about a fifth of the error. start: (T, 3) a path near the solution, if one is known.
     """
     pelvis = np.column_stack([zmp, figure.pelvis_height]) if start is None else start.copy()
     for _ in range(rounds):

@@ -37,11 +37,12 @@ class Motion:
         rise = None if self.script.com_rise is None else self.script.com_rise(t)
         airborne = ~(self.script.on_floor(t, SIDES[0]) | self.script.on_floor(t, SIDES[1]))
         figure, pitch = pose_figure(channels), np.zeros(len(t))
-        pelvis = solve_pelvis_path(figure, zmp, rise, airborne, step_s)
-        for _ in range(FLIGHT_ROUNDS if np.any(airborne) else 0):
+        turns = FLIGHT_ROUNDS if np.any(airborne) else 0
+        pelvis = solve_pelvis_path(figure, zmp, rise, airborne, step_s, rounds=3 if turns else 7)
+        for _ in range(turns):
             pitch = counter_pitch(figure.joints(pelvis), pitch, step_s)
             figure = pose_figure(_pitched(channels, pitch))
-            pelvis = solve_pelvis_path(figure, zmp, rise, airborne, step_s, pelvis, rounds=2)
+            pelvis = solve_pelvis_path(figure, zmp, rise, airborne, step_s, rounds=2, start=pelvis)
         return Spline(np.column_stack([pelvis, pitch]), step_s)
 
     def joints(self, t: Floats) -> Floats:
