@@ -10,6 +10,7 @@ PRESETS: Mapping[str, Mapping[str, Value]] = {
         "pd.gravity_feedforward": False,
         "pd.kp_hat": 800.0,
         "pd.ratio": "dynamic",
+        "balance.strategy": "ankle",
         "balance.ankle_clamp_rad": 0.034,
         "balance.w_vel": 0.4,
         "balance.w_com": 0.0,

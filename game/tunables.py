@@ -84,10 +84,19 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("pd.ratio", "dynamic", "gain ratios between the axes: dynamic (Eq. 3.8, from the pose) or manual (fixed)", choices=("dynamic", "manual")),
         Tunable("pd.gravity_feedforward", True, "add the torque that holds each joint against gravity, ankles left out"),
         # balance
-        Tunable("balance.strategy", "ankle", "how the character keeps its feet: none or ankle (thesis 3.4.3)", choices=("none", "ankle")),
+        Tunable(
+            "balance.strategy",
+            "virtual-actuation",
+            "how the character keeps its feet: none, ankle (thesis 3.4.3), or virtual-actuation: ankles helped by hips and knees",
+            choices=("none", "ankle", "virtual-actuation"),
+        ),
         Tunable("balance.w_com", 0.0, "COM target between above the COS (0) and the kinematic target's offset (1), Eq. 3.9", 0.0, 1.0),
         Tunable("balance.w_vel", 0.4, "weight of the COM velocity compensation, Eq. 3.10 and 3.11", 0.0, 1.0, "s"),
         Tunable("balance.ankle_clamp_rad", 0.1, "largest ankle error handed to the PD law, thesis 3.4.3", 0.005, 0.5, "rad"),
+        Tunable("balance.com_stiffness", 20.0, "acceleration of the COM per metre off its place over the COS (virtual-actuation)", 0.0, 100.0, "1/s^2"),
+        Tunable("balance.com_damping", 8.0, "acceleration of the COM against its velocity (virtual-actuation)", 0.0, 30.0, "1/s"),
+        Tunable("balance.pelvis_stiffness", 600.0, "torque of the standing hips per radian the pelvis is off its target (virtual-actuation)", 0.0, 3000.0, "N m/rad"),
+        Tunable("balance.pelvis_damping", 60.0, "torque of the standing hips against the pelvis's spin (virtual-actuation)", 0.0, 300.0, "N m s/rad"),
         Tunable("control.rate_hz", "120", "how often gains, gravity torque and balance are computed anew", unit="Hz", choices=("60", "120", "240", "480")),
         # physics
         Tunable("physics.step_s", 1.0 / 480.0, "physics time step; rounded to a whole number of steps in 1/60 s", 0.00001, 1.0 / 60.0, "s", log=True, restart=True),

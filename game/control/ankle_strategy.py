@@ -48,6 +48,7 @@ class AnkleStrategy:
         self._settings = settings
         self.cos = np.zeros(3)
         self.com_target = np.zeros(3)
+        self.target_offset = np.zeros(3)
         self.left_share = 0.5
 
     def reset(self, dynamics: BodyState) -> None:
@@ -91,7 +92,7 @@ class AnkleStrategy:
         com = dynamics.com - cos
         settings = self._settings
         goal = com_target(com, dynamics.com_velocity, offset, settings.number("balance.w_com"), settings.number("balance.w_vel"))
-        self.cos, self.com_target = cos, cos + goal
+        self.cos, self.com_target, self.target_offset = cos, cos + goal, offset
         if com[2] < 0.1 or goal[2] < 0.1:
             return rotation.IDENTITY
         return rotation.between(com, goal)

@@ -38,6 +38,8 @@ class BodyState(Protocol):
     """(15, 3)"""
     com: Floats
     com_velocity: Floats
+    root_spin: Floats
+    """(3,) rad/s, angular velocity of the pelvis, world frame."""
     subtree_com: Floats
     """(15, 3) centre of mass of each part with all that hangs on it."""
     subtree_mass: Floats

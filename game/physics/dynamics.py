@@ -80,6 +80,11 @@ class BodyDynamics:
         return self.com_jacobian @ self._data.qvel[self.dofs]
 
     @property
+    def root_spin(self) -> Floats:
+        """(3,) rad/s, angular velocity of the pelvis, world frame."""
+        return self.turn[0] @ self._data.qvel[self.dofs][3:6]
+
+    @property
     def mass_matrix(self) -> Floats:
         """(48, 48)"""
         full = np.empty((self._model.nv, self._model.nv))

@@ -66,10 +66,11 @@ class Fighter:
 
     def _get_acquainted(self) -> tuple[WorldFrame, Calibration]:
         """The first frame and the calibration: of a recording its quietest stretch, of a live player the first half second."""
-        finite = self.source.length_s is not None
+        length = self.source.length_s
+        finite = length is not None
         rehearsal = self._opens() if finite else self.source
         intake = Intake(self._settings, mirrored=self._mirrored) if finite else self.intake
-        frames = [intake.apply(frame) for frame in rehearsal.poll(np.inf if finite else QUIET_S)]
+        frames = [intake.apply(frame) for frame in rehearsal.poll(length + 1.0 if length is not None else QUIET_S)]
         seen = [frame for frame in frames if frame is not None]
         if finite:
             rehearsal.close()
