@@ -42,6 +42,7 @@ def _mobility() -> Floats:
 
 
 _MOBILITY: Final[Floats] = _mobility()
+_COUPLING: Final[Floats] = (_INCIDENCE * _MOBILITY) @ _INCIDENCE.T
 
 
 class BoneLengthBias:
@@ -70,8 +71,6 @@ class BoneLengthBias:
         lengths = np.linalg.norm(bones, axis=1)
         directions = bones / np.maximum(lengths, 1e-6)[:, None]
         change = np.clip(scale * self.shares(directions), -_LARGEST, _LARGEST) * lengths
-        rows = _INCIDENCE[:, :, None] * directions[:, None, :]  # (19, 20, 3)
-        flat = rows.reshape(len(BONES), -1)
-        weighted = (rows * _MOBILITY[None, :, None]).reshape(len(BONES), -1)
-        gram = weighted @ flat.T + 1e-9 * np.eye(len(BONES))
-        return (weighted.T @ np.linalg.solve(gram, change)).reshape(JOINT_COUNT, 3)
+        gram = _COUPLING * (directions @ directions.T) + 1e-9 * np.eye(len(BONES))
+        pull = np.linalg.solve(gram, change)
+        return _MOBILITY[:, None] * (_INCIDENCE.T @ (pull[:, None] * directions))

@@ -9,6 +9,7 @@ from kinect.body import JOINT_COUNT, Floats, Joint
 
 # a run of inferred frames is a flicker of one, a glance away, or a limb that stays hidden: (probability, mean frames)
 _RUNS: Final = ((0.55, 1.0), (0.37, 7.0), (0.08, 85.0))
+_KINDS: Final = tuple(share for share, _ in _RUNS)
 _MEAN_RUN: Final = sum(share * mean for share, mean in _RUNS)
 _START: Final[Floats] = INFERRED_SHARE / ((1.0 - INFERRED_SHARE) * _MEAN_RUN)
 # an inferred joint starts beside its place and drifts away from it; where it ends is log-normal
@@ -38,22 +39,25 @@ class InferredRuns:
 
         `scale` up to 1 is the share of the real sensor's runs that happen; more than 1 adds none.
         """
-        rng, joints = self._rng, JOINT_COUNT
-        start = (self._left < 0) & (rng.random(joints) < _START)
-        kind = np.searchsorted(np.cumsum([share for share, _ in _RUNS])[:-1], rng.random(joints))
-        frames = rng.geometric(1.0 / np.array([mean for _, mean in _RUNS])[kind])
-        way = rng.standard_normal((joints, 3))
-        way /= np.linalg.norm(way, axis=1, keepdims=True)
-        astray = np.minimum(_ASTRAY_MEDIAN_M * np.exp(_ASTRAY_SPREAD * rng.standard_normal(joints)), _ASTRAY_LARGEST_M)
-        gate = rng.random(joints)
-        self._left = np.where(start, frames, np.maximum(self._left, 0))
-        self._gate = np.where(start, gate, self._gate)
-        self._target = np.where(start[:, None], way * astray[:, None], self._target)
-        self._reached = np.where(start, _FIRST_SHARE, 1.0 - _DRIFT * (1.0 - self._reached))
+        start = np.flatnonzero((self._left < 0) & (self._rng.random(JOINT_COUNT) < _START))
+        self._left = np.maximum(self._left, 0)
+        self._reached = 1.0 - _DRIFT * (1.0 - self._reached)
+        for joint in start:
+            self._begin(joint)
         running = self._left > 0
         self._left = self._left - 1  # -1: tracked for at least one frame, free to start again
         shown = running & (self._gate < scale)
         return shown, np.where(shown[:, None], self._target * self._reached[:, None], 0.0)
+
+    def _begin(self, joint: int) -> None:
+        rng = self._rng
+        kind = rng.choice(len(_RUNS), p=_KINDS)
+        self._left[joint] = rng.geometric(1.0 / _RUNS[kind][1])
+        way = rng.standard_normal(3)
+        astray = min(_ASTRAY_MEDIAN_M * np.exp(_ASTRAY_SPREAD * rng.standard_normal()), _ASTRAY_LARGEST_M)
+        self._target[joint] = way * astray / np.linalg.norm(way)
+        self._reached[joint] = _FIRST_SHARE
+        self._gate[joint] = rng.random()
 
 
 class Leaps:
@@ -67,12 +71,10 @@ class Leaps:
     def step(self) -> Floats:
         """The next offset of every joint, (20, 3) metres at outlier scale 1."""
         rng = self._rng
-        start = (self._left == 0) & (rng.random(4) < _LEAP_START)
-        frames = rng.geometric(1.0 / _LEAP_FRAMES, 4)
-        way = rng.standard_normal((4, 3))
-        way *= rng.uniform(*_LEAP_M, (4, 1)) / np.linalg.norm(way, axis=1, keepdims=True)
-        self._left = np.where(start, frames, self._left)
-        self._leap = np.where(start[:, None], way, self._leap)
+        for limb in np.flatnonzero((self._left == 0) & (rng.random(4) < _LEAP_START)):
+            way = rng.standard_normal(3)
+            self._left[limb] = rng.geometric(1.0 / _LEAP_FRAMES)
+            self._leap[limb] = way * rng.uniform(*_LEAP_M) / np.linalg.norm(way)
         now = np.where((self._left > 0)[:, None], self._leap, 0.0)
         self._left = np.maximum(self._left - 1, 0)
         offset = np.zeros((JOINT_COUNT, 3))
