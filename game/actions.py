@@ -44,6 +44,7 @@ class Actions:
         self._last_s = 0.0
         self._screenshot_due = False
         self._start_held = False
+        self._gamepad_name = ""
         self._at_start = _restart_values(app)
 
     @property
@@ -85,6 +86,7 @@ class Actions:
         for path in events.take_drops():
             self.do("input", f"clip:{path}")
         gamepad = self.gamepad()
+        self._greet(gamepad)
         self._start_button(gamepad)
         pressed = frozenset() if self.paused else frozenset(events.keyboard.pressed)
         if self.steering.route(present(self._app.controls), pressed, None if self.paused else gamepad) and self.first_input_s is None:
@@ -142,6 +144,12 @@ class Actions:
         self.input_spec = staged.input_spec or (value if kind == "input" else self.input_spec)
         self.restart()
         self._app.picture.cut(staged.scene)
+
+    def _greet(self, gamepad: GamepadState | None) -> None:
+        name = "" if gamepad is None else gamepad.name
+        if name != self._gamepad_name:
+            self.say(f"Gamepad connected: {name}" if name else f"Gamepad gone: {self._gamepad_name}")
+            self._gamepad_name = name
 
     def _start_button(self, gamepad: GamepadState | None) -> None:
         held = gamepad is not None and gamepad.held("start")

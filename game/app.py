@@ -122,15 +122,19 @@ class App:
                     break
                 self.scene.fixed_update()
                 self.updates += 1
+        if min(self.picture.window.framebuffer_size) > 0:  # a minimised window has no pixels
+            self._show(due.blend)
+        with self.times.measure("swap"):
+            self.picture.window.swap()
+        self.frames += 1
+
+    def _show(self, blend: float) -> None:
         with self.times.measure("draw"):
-            self.picture.draw(self.scene, due.blend, self.actions.frame_s(self.now_s))
+            self.picture.draw(self.scene, blend, self.actions.frame_s(self.now_s))
         if self.picture.overlay is not None:
             with self.times.measure("overlay"):
                 self.picture.overlay.draw(self.actions.view())
         self.output.frame()
-        with self.times.measure("swap"):
-            self.picture.window.swap()
-        self.frames += 1
 
     def close(self) -> AppReport:
         """End the run: write the picture, finish the video, give back the window. Calling it twice is harmless."""

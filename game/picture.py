@@ -81,9 +81,9 @@ class Picture:
 
     def _steer_camera(self, frame_s: float) -> None:
         self.camera.advance(frame_s)
-        if self.events is None or self.overlay is None:
+        if self.events is None:
             return
-        height = max(1.0, self.overlay.size[1])
+        height = max(1.0, float(self.window.framebuffer_size[1] if self.overlay is None else self.overlay.size[1]))
         orbit, pan, wheel = self.events.mouse.take()
         if orbit != (0.0, 0.0):
             self.camera.orbit(-orbit[0] / height * math.pi, orbit[1] / height * math.pi)

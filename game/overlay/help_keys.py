@@ -13,6 +13,7 @@ AFTER_FIRST_INPUT_S = 6.0
 FADE_S = 1.5
 SIZE = 0.9
 GAP_EM = 1.3
+MOST_ROWS = 4
 
 
 def help_opacity(view: View) -> float:
@@ -40,6 +41,8 @@ class HelpKeys:
         longest = min(0.8 * size[0], right - left - 4.0 * em)
         if self._for != (view.help_keys, em, longest):
             self._for, self._rows = (view.help_keys, em, longest), rows_of(ink, view.help_keys, longest)
+        if len(self._rows) > MOST_ROWS:  # wide panels are open: whoever tunes can look under F1
+            return
         row_height = 2.15 * em
         width = max(row.width for row in self._rows) + 2.0 * em
         middle, height = (left + right) / 2, row_height * len(self._rows)

@@ -2,6 +2,7 @@
 
 from game.overlay.help_keys import HelpKeys
 from game.overlay.ink import Ink
+from game.overlay.layout import free_span
 from game.overlay.style import ACCENT, COOL, FAINT, GOOD, INK, PILL, WARN, Rgba, alpha
 from game.overlay.toasts import Toasts
 from game.overlay.view import Shown, View
@@ -45,29 +46,30 @@ class Hud:
 
     def _draw_score(self, ink: Ink, view: View, shown: Shown, size: tuple[float, float]) -> None:
         em, y = ink.em, 0.9 * ink.em
+        middle = size[0] / 2
         if view.score:
             width = ink.width(view.score, 2.0, ink.fonts.display)
-            ink.box((size[0] - width) / 2 - 1.1 * em, y, width + 2.2 * em, 2.9 * em, PILL, 0.7)
-            ink.text((size[0] - width) / 2, y + 0.38 * em, view.score, INK, 2.0, ink.fonts.display, shadow=False)
+            middle = _clear_of_panels(shown, size, em, width / 2 + 1.1 * em)
+            ink.box(middle - width / 2 - 1.1 * em, y, width + 2.2 * em, 2.9 * em, PILL, 0.7)
+            ink.text(middle - width / 2, y + 0.38 * em, view.score, INK, 2.0, ink.fonts.display, shadow=False)
             y += 3.2 * em
         if view.upright_s is not None:
-            y = self._draw_upright(ink, view, size, y)
+            y = self._draw_upright(ink, view, middle, y)
         for text, colour in _badges(view) if not shown.menu else ():
             width = ink.width(text, 0.95, ink.fonts.strong) + 1.3 * 0.95 * em
-            y += ink.pill((size[0] - width) / 2, y, text, colour, 0.95, font=ink.fonts.strong) + 0.3 * em
+            y += ink.pill(middle - width / 2, y, text, colour, 0.95, font=ink.fonts.strong) + 0.3 * em
 
-    def _draw_upright(self, ink: Ink, view: View, size: tuple[float, float], y: float) -> float:
+    def _draw_upright(self, ink: Ink, view: View, middle: float, y: float) -> float:
         em, value = ink.em, f"{view.upright_s:.1f} s"
         word = "fell after" if view.fell else "upright"
         big = 1.5 if not view.score else 1.0
         left, right = ink.width(word, 0.9), ink.width(value.replace("1", "0"), big, ink.fonts.display)
         total = left + 0.5 * em + right
-        x, height = (size[0] - total) / 2, (big * 1.3 + 0.5) * em
+        x, height = middle - total / 2, (big * 1.3 + 0.5) * em
         ink.box(x - 0.8 * em, y, total + 1.6 * em, height, PILL, 0.5)
         ink.text(x, y + height / 2 - 0.56 * em, word, FAINT, 0.9, shadow=False)
-        ink.text(
-            x + left + 0.5 * em, y + height / 2 - 0.62 * big * em, value, WARN if view.fell else INK, big, ink.fonts.display, shadow=False
-        )
+        colour = WARN if view.fell else INK
+        ink.text(x + left + 0.5 * em, y + height / 2 - 0.62 * big * em, value, colour, big, ink.fonts.display, shadow=False)
         return y + height + 0.3 * em
 
     def _draw_left(self, ink: Ink, view: View, shown: Shown) -> None:
@@ -103,6 +105,13 @@ class Hud:
             x += ink.key_cap(x, y, key, 0.85, 0.75) + 0.35 * em
             ink.text(x, y + 0.14 * em, meaning, alpha(INK, 0.85), 0.82)
             x += ink.width(meaning, 0.82) + 0.9 * em
+
+
+def _clear_of_panels(shown: Shown, size: tuple[float, float], em: float, reach: float) -> float:
+    """The middle of the screen, or of what the panels leave free where `reach` to either side would touch one."""
+    left, right = free_span(shown, size, em)
+    middle = size[0] / 2
+    return middle if left <= middle - reach and middle + reach <= right else (left + right) / 2
 
 
 def _badges(view: View) -> list[tuple[str, Rgba]]:

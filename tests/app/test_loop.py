@@ -102,6 +102,17 @@ def test_the_picture_is_the_last_frame_in_the_asked_size(make_app: MakeApp, tmp_
     assert {"update", "draw", "swap"} <= set(report.stage_ms)
 
 
+def test_the_video_has_one_picture_for_every_update(make_app: MakeApp, tmp_path: Path) -> None:
+    av = pytest.importorskip("av", reason="videos are written by PyAV")
+    app = make_app(BouncingBox(), seconds=0.5, video=tmp_path / "film" / "box.mp4")
+    run_out(app)
+    assert app.close().files == (tmp_path / "film" / "box.mp4",)
+    with av.open(str(tmp_path / "film" / "box.mp4")) as film:
+        frames = list(film.decode(video=0))
+    assert len(frames) == 30
+    assert (frames[0].width, frames[0].height) == (160, 90)
+
+
 def test_closing_leaves_the_scene_and_a_second_close_is_harmless(make_app: MakeApp) -> None:
     scene = BouncingBox()
     app = make_app(scene)

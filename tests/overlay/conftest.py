@@ -9,7 +9,7 @@ from game.app import App, Options
 from game.inputs.steering import Steering
 from game.render.gl_window import NoPicture
 from game.tunables import Settings
-from tests.app.bouncing_box import BouncingBox, Pusher, push_from_gamepad, push_from_keys
+from tests.app.bouncing_box import BouncingBox, push_from_gamepad, push_from_keys
 from tests.overlay.pilot import Pilot
 
 
@@ -29,14 +29,16 @@ def play_box() -> Iterator[PlayBox]:
     """Starts a game and gives its pilot; every game is closed at the end, and none may have left an OpenGL error."""
     apps: list[App] = []
 
-    def start(settings: Settings | None = None, on_request: Any = None, scene: BouncingBox | None = None, **options: Any) -> Pilot:
+    def start(
+        settings: Settings | None = None, on_request: Any = None, scene: BouncingBox | None = None, puppet: Any = None, **options: Any
+    ) -> Pilot:
         chosen = Options(
             **{"headless": True, "size": (1280, 720), "scenes": ("mirror", "duel"), "inputs": ("puppet", "performer:boxing"), **options}
         )
         scene = scene or BouncingBox()
-        steering = Steering(push_from_keys, push_from_gamepad)
+        steering = None if puppet else Steering(push_from_keys, push_from_gamepad)
         try:
-            app = App(scene, settings or Settings(), chosen, scene.pusher, on_request, renderer=Backdrop(), steering=steering)
+            app = App(scene, settings or Settings(), chosen, puppet or scene.pusher, on_request, renderer=Backdrop(), steering=steering)
         except NoPicture as missing:
             pytest.skip(str(missing))
         app.actions.gamepad = lambda: None
@@ -53,8 +55,3 @@ def play_box() -> Iterator[PlayBox]:
             errors.append(app.picture.window.ctx.error)
         app.close()
     assert all(error == "GL_NO_ERROR" for error in errors), errors
-
-
-@pytest.fixture
-def pusher() -> Pusher:
-    return Pusher()

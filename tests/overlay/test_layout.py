@@ -1,5 +1,7 @@
 """What the overlay writes stays on the screen and is big enough to read, on small and on dense screens."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from imgui_bundle import imgui
@@ -99,3 +101,21 @@ def test_many_help_keys_wrap_into_rows_that_fit(play_box: PlayBox, width: float,
     assert boxes
     assert min(left for left, _ in boxes) >= 0.0
     assert max(right for _, right in boxes) <= width
+
+
+def test_the_score_moves_aside_for_a_panel(play_box: PlayBox, monkeypatch: pytest.MonkeyPatch) -> None:
+    pilot = play_box(size=(640, 360))
+    written: dict[str, tuple[float, float]] = {}
+    write = Ink.text
+
+    def note(self: Ink, x: float, y: float, text: str, *rest: Any, **more: Any) -> None:
+        written[text] = (x, x + self.width(text, rest[1] if len(rest) > 1 else 1.0, rest[2] if len(rest) > 2 else None))
+        write(self, x, y, text, *rest, **more)
+
+    monkeypatch.setattr(Ink, "text", note)
+    pilot.frames(1)
+    left, right = written["You 2 : 1 Rival"]
+    assert (left + right) / 2 == pytest.approx(320)
+    pilot.overlay.shown.panel = True
+    pilot.frames(2)
+    assert written["You 2 : 1 Rival"][1] < panel_area((640.0, 360.0), 18.0 * pilot.overlay.scale).left

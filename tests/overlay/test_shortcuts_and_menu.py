@@ -6,6 +6,7 @@ import pytest
 
 from game.actions import Staged
 from game.inputs.gamepad import AXES, BUTTONS, GamepadState
+from game.inputs.puppet_controls import KEYS, PuppetControls
 from game.shortcuts import SHORTCUTS
 from game.tunables import TUNABLES
 from tests.app.bouncing_box import BouncingBox, Push
@@ -202,3 +203,36 @@ def test_f11_fills_the_screen_and_gives_the_window_back(play_box: PlayBox) -> No
     assert pilot.app.output.read().shape == (full[1], full[0], 3)
     pilot.press("f11")
     assert pilot.app.picture.window.framebuffer_size == (640, 360)
+
+
+class Doll:
+    """Has the puppet's controls and no body."""
+
+    controls = PuppetControls()
+
+
+def test_the_puppets_keys_reach_its_controls(play_box: PlayBox) -> None:
+    doll = Doll()
+    pilot = play_box(puppet=doll)
+    for binding in KEYS:
+        pilot.key(binding.name.lower(), True)
+        assert getattr(doll.controls, binding.control) == binding.value, binding.name
+        pilot.key(binding.name.lower(), False)
+        assert doll.controls == PuppetControls()
+
+
+def test_the_first_input_starts_the_fading_of_the_keys(play_box: PlayBox) -> None:
+    pilot = play_box()
+    assert pilot.app.actions.view().first_input_s is None
+    pilot.key("w", True)
+    assert pilot.app.actions.view().first_input_s == pytest.approx(pilot.app.now_s, abs=0.05)
+
+
+def test_a_gamepad_that_comes_and_goes_is_said(play_box: PlayBox) -> None:
+    pilot = play_box()
+    pilot.app.actions.gamepad = lambda: GamepadState((0.0,) * len(AXES), (False,) * len(BUTTONS), "Pad 7")
+    pilot.frames()
+    pilot.app.actions.gamepad = lambda: None
+    pilot.frames()
+    said = [toast.text for toast in pilot.overlay.hud.toasts.visible(pilot.app.now_s)]
+    assert said[-2:] == ["Gamepad connected: Pad 7", "Gamepad gone: Pad 7"]
