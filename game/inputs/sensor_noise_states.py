@@ -42,7 +42,7 @@ class InferredRuns:
         start = np.flatnonzero((self._left < 0) & (self._rng.random(JOINT_COUNT) < _START))
         self._left = np.maximum(self._left, 0)
         self._reached = 1.0 - _DRIFT * (1.0 - self._reached)
-        for joint in start:
+        for joint in start.tolist():
             self._begin(joint)
         running = self._left > 0
         self._left = self._left - 1  # -1: tracked for at least one frame, free to start again
