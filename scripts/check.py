@@ -8,8 +8,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 
 CHECKS = {
-    "ruff check": ["ruff", "check", "--quiet"],
-    "ruff format": ["ruff", "format", "--check", "--quiet"],
+    "ruff check": ["ruff", "check", "--output-format", "concise"],
+    "ruff format": ["ruff", "format", "--check", "--output-format", "concise"],
     "pyright": ["pyright", "--pythonpath", sys.executable],
 }
 
@@ -24,7 +24,7 @@ def main(arguments: list[str]) -> int:
         if subprocess.run([sys.executable, "-m", *command], cwd=ROOT, env=environment).returncode != 0:
             red.append(name)
     print("check: pytest", flush=True)
-    tests = subprocess.run([sys.executable, "-m", "pytest", "-n", "2", *arguments], cwd=ROOT, env=environment).returncode
+    tests = subprocess.run([sys.executable, "-m", "pytest", "-n", "2", "--dist", "loadfile", *arguments], cwd=ROOT, env=environment).returncode
     if red:
         print(f"check: not green before the tests: {', '.join(red)}", flush=True)
     return tests or int(bool(red))
