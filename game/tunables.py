@@ -103,6 +103,10 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("physics.integrator", "discrete", "discrete, implicitfast or euler with stable PD, or explicit: the thesis's torques evaluated at the start of the step", choices=("discrete", "implicitfast", "euler", "explicit"), restart=True),
         Tunable("physics.friction", 1.0, "Coulomb friction coefficient of soles and floor, Eq. 3.6", 0.05, 2.0),
         Tunable("physics.self_collision", False, "body parts of one character collide with each other", restart=True),
+        # duel
+        Tunable("duel.distance_m", 0.72, "how far apart the two stand, pelvis to pelvis", 0.4, 2.0, "m", restart=True),
+        Tunable("duel.opponent_vigour", 0.5, "how often the opponent attacks and how much weight it puts in", 0.0, 1.0),
+        Tunable("duel.round_limit_s", 60.0, "a round that lasts longer is a draw", 5.0, 300.0, "s"),
         # picture
         Tunable("picture.exposure", 1.0, "brightness of the picture", 0.25, 4.0),
         Tunable("picture.ambient_occlusion", 0.7, "darkening of corners and creases", 0.0, 1.0),

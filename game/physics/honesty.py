@@ -41,10 +41,8 @@ class HonestyMeter:
         self._end_velocity = data.qvel.copy()
         self._momentum = np.empty(model.nv)
         self.contacts: ContactForces | None = None
-        self.restart()
-
-    def restart(self) -> None:
-        """Forget what was measured; the present state becomes the one to go on from."""
+        self.active = True
+        """False while a scene states that roots are held: contacts are still read, nothing is recorded."""
         self.unexplained_force_n: Floats = np.zeros(len(self._bodies))
         self.unexplained_torque_nm: Floats = np.zeros(len(self._bodies))
         self._pairs: set[tuple[int, int]] = set()
@@ -72,17 +70,17 @@ class HonestyMeter:
     def after_step(self, pushes: Sequence[Push]) -> None:
         """Take the step's balance. The data still holds M, c and contacts of its start."""
         data, h = self._data, self._model.opt.timestep
-        residual = self._through_mass((self._velocity - self._end_velocity) / h) + data.qfrc_bias[self._roots].reshape(-1, 6)
-        found = contact_forces(self._model, data)
-        if found is not None:
-            residual -= self._root_forces(found.on_characters(len(self._bodies)), found.force, found.point)
-            self.worst_cone_excess_n = max(self.worst_cone_excess_n, found.cone_excess_n())
-            self._pairs.update(found.pairs())
-        self.contacts = found
-        for push in pushes:
-            on = (np.arange(len(self._bodies)) == push.character).astype(float)[:, None]
-            residual -= self._root_forces(on, push.force[None], push.point[None])
-        self._record(residual)
+        self.contacts = found = contact_forces(self._model, data)
+        if self.active:
+            residual = self._through_mass((self._velocity - self._end_velocity) / h) + data.qfrc_bias[self._roots].reshape(-1, 6)
+            if found is not None:
+                residual -= self._root_forces(found.on_characters(len(self._bodies)), found.force, found.point)
+                self.worst_cone_excess_n = max(self.worst_cone_excess_n, found.cone_excess_n())
+                self._pairs.update(found.pairs())
+            for push in pushes:
+                on = (np.arange(len(self._bodies)) == push.character).astype(float)[:, None]
+                residual -= self._root_forces(on, push.force[None], push.point[None])
+            self._record(residual)
         self.accept_state()
 
     @property
@@ -107,6 +105,8 @@ class HonestyMeter:
         return out
 
     def _record(self, residual: Floats) -> None:
+        if not self.active:
+            return
         squared = residual * residual
         np.maximum(self.unexplained_force_n, np.sqrt(squared[:, :3].sum(axis=1)), out=self.unexplained_force_n)
         np.maximum(self.unexplained_torque_nm, np.sqrt(squared[:, 3:].sum(axis=1)), out=self.unexplained_torque_nm)

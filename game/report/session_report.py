@@ -8,7 +8,8 @@ import mujoco
 import numpy as np
 
 from game.characters.skeleton import JOINTS
-from game.scenes.simulation import HANG_FRAMES, Simulation
+from game.physics.world import FRAME_HZ
+from game.scenes.simulation import Simulation
 from game.tunables import Settings
 
 
@@ -32,10 +33,10 @@ def peak_torques(simulation: Simulation, index: int) -> dict[str, float]:
 def simulation_report(simulation: Simulation, settings: Settings, watch: Stopwatch, seed: int) -> dict[str, object]:
     """Honesty, speed, guard, state hash, versions and settings."""
     world = simulation.world
-    frames = max(1, simulation.frame + HANG_FRAMES)
-    simulated = frames / 60.0
+    frames = max(1, simulation.frames_run)
+    simulated = frames / FRAME_HZ
     return {
-        "simulated_s": max(0.0, simulation.time_s),
+        "simulated_s": max(0.0, simulation.clock_s),
         "unexplained_force_max_n": float(world.meter.unexplained_force_n.max()),
         "unexplained_torque_max_nm": float(world.meter.unexplained_torque_nm.max()),
         "contact_partners": world.meter.partners,

@@ -5,6 +5,7 @@ from collections import deque
 import numpy as np
 
 from game.report.observer import Observer
+from game.scenes.body_layers import support_polygon
 from game.scenes.scene import Plot
 from game.scenes.simulation import Simulation
 
@@ -30,8 +31,6 @@ class BalancePlots:
         if not self._rows:
             return ()
         t, mean, worst, torque, upright, height, wanted, com_x, com_y = np.array(self._rows).T
-        from game.scenes.body_layers import support_polygon
-
         body, fighter = simulation.world.characters[0], simulation.fighters[0]
         hull = support_polygon(body)
         plan = {"COM": (-com_y, com_x)}

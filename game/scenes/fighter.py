@@ -81,11 +81,10 @@ class Fighter:
         return (seen[0] if finite else seen[-1]), calibrate(self.plan, joints[quietest_stretch(times, joints)])
 
     def hang(self, world: World) -> None:
-        """Place the character just above the floor in its first pose and hold its root there."""
+        """Place the character just above the floor in its present target's pose, at its place, and hold its root there."""
         target = self.target
         position, orientation = hanging_root(self.plan, self._place, target.root_orientation, target.joint_rotation)
-        if self.facing_rad:
-            orientation = rotation.multiply(rotation.about_z(self.facing_rad), orientation)
+        orientation = rotation.multiply(rotation.about_z(self.facing_rad), orientation)
         world.place(self.index, position, orientation, target.joint_rotation)
         hold_root(world.model, world.data, self.index, position, orientation)
         self.strategy.reset(world.characters[self.index])

@@ -6,6 +6,8 @@ from game.characters.body_plan import BodyPlan
 from game.drawables import Layer
 from game.report.observer import Observer
 from game.report.session_report import Stopwatch, peak_torques, simulation_report
+from game.scenes.balance_plots import BalancePlots
+from game.scenes.body_layers import fighter_layers
 from game.scenes.fighter import Fighter
 from game.scenes.key_help import keys_for
 from game.scenes.living_room import living_room
@@ -32,8 +34,6 @@ class Mirror:
         fighter = Fighter(0, self._plan, self._opens, self._settings, mirrored=True)
         self.simulation = Simulation([fighter], self._settings)
         self.observer = Observer(fighter)
-        from game.scenes.balance_plots import BalancePlots
-
         self._plots = BalancePlots()
         self._entered = True
 
@@ -57,14 +57,12 @@ class Mirror:
         self._plots.observe(self.simulation, self.observer)
 
     def drawables(self, blend: float) -> tuple[Layer, ...]:
-        from game.scenes.body_layers import fighter_layers
-
         return (*self._room, *fighter_layers(self.simulation, 0, blend, self._settings))
 
     def readouts(self) -> Mapping[str, float | str]:
         simulation, clock = self.simulation, self.observer.upright
         body = simulation.world.characters[0]
-        frames = max(1, simulation.frame + 60)
+        frames = max(1, simulation.frames_run)
         return {
             "input": simulation.fighters[0].source.status,
             "upright_s": clock.upright_s,

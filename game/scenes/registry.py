@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from game.characters.body_plan import BodyPlan
+from game.scenes.duel import Duel
 from game.scenes.mirror import Mirror
 from game.scenes.scene import Scene
 from game.scenes.simulation import Opener
@@ -28,4 +29,5 @@ SceneMaker = Callable[[BodyPlan, Opener, Settings, int, str], PlayableScene]
 
 SCENES: Mapping[str, SceneMaker] = {
     "mirror": Mirror,
+    "duel": Duel,
 }
