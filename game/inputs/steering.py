@@ -13,13 +13,17 @@ class Steered(Protocol):
     controls: Any
 
 
-Controls = Steered | Callable[[], Steered | None] | None
-"""What is steered: the thing itself, or a function that gives the present one, since a restart may open a new puppet."""
+Controls = Any
+"""What is steered: a Steered, a source around one (such as the sensor model around the puppet), a function that gives the present
+one of either, since a restart may open a new puppet, or None."""
 
 
 def present(controls: Controls) -> Steered | None:
-    """The thing that is steered right now."""
-    return controls() if callable(controls) else controls
+    """The thing that is steered right now; None where keys steer nothing."""
+    thing = controls() if callable(controls) else controls
+    while thing is not None and not hasattr(thing, "controls"):
+        thing = getattr(thing, "source", None)
+    return thing
 
 
 class Steering:

@@ -1,10 +1,8 @@
-"""The keys of the scene at the foot of the picture: there at the start, gone once the player plays."""
+"""The keys of the scene on a card at the left: there at the start, gone once the player plays, never over the middle."""
 
-import math
 from dataclasses import dataclass
 
 from game.overlay.ink import Ink
-from game.overlay.layout import free_span
 from game.overlay.style import INK, PILL, alpha
 from game.overlay.view import Shown, View
 
@@ -12,8 +10,10 @@ SHOW_S = 15.0
 AFTER_FIRST_INPUT_S = 6.0
 FADE_S = 1.5
 SIZE = 0.9
-GAP_EM = 1.3
-MOST_ROWS = 4
+ROW_EM = 1.95
+GAP_EM = 0.2
+TOP_EM = 5.2
+FOOT_EM = 2.9
 
 
 def help_opacity(view: View) -> float:
@@ -24,42 +24,38 @@ def help_opacity(view: View) -> float:
     return max(0.0, min(1.0, (end + FADE_S - view.now_s) / FADE_S))
 
 
+@dataclass(frozen=True)
+class Column:
+    """Rows of key caps with their meaning under each other; caps and width in overlay units."""
+
+    rows: tuple[tuple[tuple[str, ...], str], ...]
+    caps: float
+    width: float
+
+
 class HelpKeys:
-    """Draws the scene's keys; lays them out anew only where they, the screen or the panels have changed."""
+    """Draws the scene's keys; lays them out anew only where they or the screen have changed."""
 
     def __init__(self) -> None:
         self._for: object = None
-        self._rows: list[Row] = []
+        self._columns: list[Column] = []
 
     def draw(self, ink: Ink, view: View, shown: Shown, size: tuple[float, float]) -> None:
-        """Key caps with their meaning in centred rows above the hint line, on a screen of `size` overlay units."""
+        """A card in the lower left corner, above the hint line, on a screen of `size` overlay units. It gives way to the plots."""
         opacity = help_opacity(view)
-        if not view.help_keys or opacity <= 0.0 or shown.help or shown.menu:
+        if not view.help_keys or opacity <= 0.0 or shown.help or shown.menu or shown.plots:
             return
         em = ink.em
-        left, right = free_span(shown, size, em)
-        longest = min(0.8 * size[0], right - left - 4.0 * em)
-        if self._for != (view.help_keys, em, longest):
-            self._for, self._rows = (view.help_keys, em, longest), rows_of(ink, view.help_keys, longest)
-        if len(self._rows) > MOST_ROWS:  # wide panels are open: whoever tunes can look under F1
-            return
-        row_height = 2.15 * em
-        width = max(row.width for row in self._rows) + 2.0 * em
-        middle, height = (left + right) / 2, row_height * len(self._rows)
-        top = size[1] - 2.9 * em - height
-        ink.box(middle - width / 2, top - 0.45 * em, width, height + 0.6 * em, alpha(PILL, opacity), 0.7)
-        for number, row in enumerate(self._rows):
-            x = middle - row.width / 2
-            for caps, meaning in row.pairs:
-                x = _draw_pair(ink, x, top + number * row_height, caps, meaning, opacity)
-
-
-@dataclass(frozen=True)
-class Row:
-    """Key caps with their meanings, side by side; width in overlay units."""
-
-    pairs: tuple[tuple[tuple[str, ...], str], ...]
-    width: float
+        if self._for != (view.help_keys, em, size):
+            self._for, self._columns = (view.help_keys, em, size), columns_of(ink, view.help_keys, size)
+        height = ROW_EM * em * len(self._columns[0].rows)
+        width = sum(column.width for column in self._columns) + 1.2 * em * (len(self._columns) - 1)
+        x, top = 1.6 * em, size[1] - FOOT_EM * em - height
+        ink.box(0.9 * em, top - 0.6 * em, width + 1.4 * em, height + 0.9 * em, alpha(PILL, opacity), 0.6)
+        for column in self._columns:
+            for number, (caps, meaning) in enumerate(column.rows):
+                _draw_row(ink, x, top + number * ROW_EM * em, column.caps, caps, meaning, opacity)
+            x += column.width + 1.2 * em
 
 
 def caps_of(keys: str) -> tuple[str, ...]:
@@ -68,30 +64,22 @@ def caps_of(keys: str) -> tuple[str, ...]:
     return tuple(words) if all(len(word) <= 3 for word in words) else (keys.strip(),)
 
 
-def rows_of(ink: Ink, pairs: tuple[tuple[str, str], ...], longest: float) -> list[Row]:
-    """Split over as few rows as fit into `longest` overlay units, about equally long."""
-    gap = GAP_EM * ink.em
-    widths = [_pair_width(ink, caps_of(keys), meaning) for keys, meaning in pairs]
-    goal = sum(widths) / max(1, math.ceil(sum(widths) / max(1.0, longest)))
-    groups: list[list[int]] = [[]]
-    used = 0.0
-    for number, width in enumerate(widths):
-        if groups[-1] and (used + width - gap > longest or used + width / 2 > goal):
-            groups.append([])
-            used = 0.0
-        groups[-1].append(number)
-        used += width
-    return [Row(tuple((caps_of(pairs[n][0]), pairs[n][1]) for n in group), sum(widths[n] for n in group) - gap) for group in groups]
+def columns_of(ink: Ink, pairs: tuple[tuple[str, str], ...], size: tuple[float, float]) -> list[Column]:
+    """As few columns as the height between status and hints allows, equally long."""
+    most = max(1, int((size[1] - (TOP_EM + FOOT_EM) * ink.em) / (ROW_EM * ink.em)))
+    count = -(-len(pairs) // most)
+    each = -(-len(pairs) // count)
+    rows = [(caps_of(keys), meaning) for keys, meaning in pairs]
+    return [_column(ink, tuple(rows[start : start + each])) for start in range(0, len(rows), each)]
 
 
-def _pair_width(ink: Ink, caps: tuple[str, ...], meaning: str) -> float:
-    keys = sum(ink.key_cap_width(cap, SIZE) + 0.2 * ink.em for cap in caps)
-    return keys + (0.25 + GAP_EM) * ink.em + ink.width(meaning, SIZE)
+def _column(ink: Ink, rows: tuple[tuple[tuple[str, ...], str], ...]) -> Column:
+    caps = max(sum(ink.key_cap_width(cap, SIZE) + GAP_EM * ink.em for cap in keys) for keys, _ in rows) + 0.35 * ink.em
+    return Column(rows, caps, caps + max(ink.width(meaning, SIZE) for _, meaning in rows))
 
 
-def _draw_pair(ink: Ink, x: float, y: float, caps: tuple[str, ...], meaning: str, opacity: float) -> float:
+def _draw_row(ink: Ink, x: float, y: float, caps_width: float, caps: tuple[str, ...], meaning: str, opacity: float) -> None:
+    at = x
     for cap in caps:
-        x += ink.key_cap(x, y, cap, opacity, SIZE) + 0.2 * ink.em
-    x += 0.25 * ink.em
-    ink.text(x, y + 0.24 * ink.em, meaning, alpha(INK, opacity), SIZE, shadow=False)
-    return x + ink.width(meaning, SIZE) + GAP_EM * ink.em
+        at += ink.key_cap(at, y, cap, opacity, SIZE) + GAP_EM * ink.em
+    ink.text(x + caps_width, y + 0.24 * ink.em, meaning, alpha(INK, opacity), SIZE, shadow=False)

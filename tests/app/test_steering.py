@@ -4,9 +4,11 @@ import glfw
 
 from game.inputs.gamepad import AXES, BUTTONS, GamepadState
 from game.inputs.keyboard import KEY_CODES, KEY_NAMES, Keyboard
+from game.inputs.open_input import open_input
 from game.inputs.puppet_controls import AXIS_ORDER, BUTTON_ORDER, KEYS, PuppetControls, controls_from_gamepad, controls_from_keys
 from game.inputs.steering import Steering, present
 from game.shortcuts import SHORTCUTS
+from kinect.body import Joint
 
 
 class Doll:
@@ -82,3 +84,12 @@ def test_a_puppet_that_a_restart_opened_anew_does_what_is_still_held() -> None:
     assert second.controls.jump
     assert present(second) is second
     assert present(None) is None
+
+
+def test_keys_reach_the_puppet_through_the_sensor_model_and_never_a_recording() -> None:
+    source = open_input("puppet")
+    steering = Steering(controls_from_keys, controls_from_gamepad)
+    steering.route(present(lambda: source), {"q"}, None)
+    before = source.poll(0.5)[-1].positions[Joint.WRIST_LEFT, 1]
+    assert source.poll(2.0)[-1].positions[Joint.WRIST_LEFT, 1] > before + 0.2, "the left wrist rises"
+    assert present(open_input("performer:waving")) is None

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from imgui_bundle import imgui
 
-from game.overlay.help_keys import caps_of, help_opacity
+from game.overlay.help_keys import FOOT_EM, ROW_EM, TOP_EM, caps_of, help_opacity
 from game.overlay.ink import Ink
 from game.overlay.layout import free_span, panel_area, plots_area
 from game.overlay.style import interface_scale
@@ -71,7 +71,7 @@ def test_nothing_of_the_overlay_lies_over_the_hero_at_the_start(play_box: PlayBo
     pilot.app.scene.drawables = lambda blend: ()  # type: ignore[method-assign]  # the box carries a word of its own
     pilot.frames(5)
     picture = pilot.app.output.read().astype(int)
-    hero = picture[140:560, 440:840]
+    hero = picture[140:700, 340:940]
     assert np.ptp(hero.reshape(-1, 3), axis=0).max() == 0, "the middle of the picture shows the plain backdrop"
     assert np.ptp(picture.reshape(-1, 3), axis=0).max() > 100, "and the writing is there"
 
@@ -90,17 +90,18 @@ def test_key_caps_are_one_for_each_key() -> None:
     assert caps_of("Q / E") == ("Q", "E")
 
 
-@pytest.mark.parametrize("width", [640.0, 1280.0])
-def test_many_help_keys_wrap_into_rows_that_fit(play_box: PlayBox, width: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    pilot = play_box(size=(int(width), 360))
-    boxes: list[tuple[float, float]] = []
-    monkeypatch.setattr(Ink, "box", lambda self, x, y, w, h, *rest: boxes.append((x, x + w)))
-    pairs = tuple((f"{chr(65 + i)} {chr(66 + i)}", "do something quite particular") for i in range(12))
+@pytest.mark.parametrize("size", [(640, 360), (1280, 720), (1280, 400)])
+@pytest.mark.parametrize("count", [1, 9, 20])
+def test_the_card_of_keys_stays_in_the_left_part_of_the_screen(play_box: PlayBox, size: tuple[int, int], count: int) -> None:
+    pilot = play_box(size=size)
+    pairs = tuple((f"{chr(65 + i)} {chr(66 + i)}", "do something") for i in range(count))
     pilot.app.scene.help_keys = lambda: pairs  # type: ignore[method-assign]
     pilot.frames(1)
-    assert boxes
-    assert min(left for left, _ in boxes) >= 0.0
-    assert max(right for _, right in boxes) <= width
+    columns, em = pilot.overlay.hud._help_keys._columns, 18.0 * pilot.overlay.scale
+    assert [row for column in columns for row in column.rows] == [(caps_of(keys), meaning) for keys, meaning in pairs]
+    height = len(columns[0].rows) * ROW_EM * em
+    assert height + (TOP_EM + FOOT_EM) * em <= size[1]
+    assert sum(column.width for column in columns) <= (0.33 if count <= 9 else 0.75) * size[0]
 
 
 def test_the_score_moves_aside_for_a_panel(play_box: PlayBox, monkeypatch: pytest.MonkeyPatch) -> None:
