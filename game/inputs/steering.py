@@ -20,7 +20,7 @@ one of either, since a restart may open a new puppet, or None."""
 
 def present(controls: Controls) -> Steered | None:
     """The thing that is steered right now; None where keys steer nothing."""
-    thing = controls() if callable(controls) else controls
+    thing: Any = controls() if callable(controls) else controls
     while thing is not None and not hasattr(thing, "controls"):
         thing = getattr(thing, "source", None)
     return thing
