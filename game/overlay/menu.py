@@ -32,11 +32,14 @@ class Menu:
         _dim(size)
         _centre(size)
         imgui.begin("menu", None, FIXED)
+        if imgui.is_window_appearing():
+            imgui.set_window_focus()
         wide = ImVec2(min(19.0 * em, 0.8 * size[0]), 0.0)
         _heading("Topple", self._fonts, 1.9, self._fonts.display)
         big = ImVec2(wide.x, 2.1 * em)
         if self._button("Continue", big):
             shown.menu = False
+        imgui.set_item_default_focus()
         if self._button("Restart", big):
             shown.ask("restart")
             shown.menu = False

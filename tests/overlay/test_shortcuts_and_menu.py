@@ -236,3 +236,19 @@ def test_a_gamepad_that_comes_and_goes_is_said(play_box: PlayBox) -> None:
     pilot.frames()
     said = [toast.text for toast in pilot.overlay.hud.toasts.visible(pilot.app.now_s)]
     assert said[-2:] == ["Gamepad connected: Pad 7", "Gamepad gone: Pad 7"]
+
+
+def test_arrows_and_enter_walk_through_the_menu(play_box: PlayBox) -> None:
+    pilot = play_box()
+    pilot.frames(5)
+    open_menu(pilot)
+    for key in ("down", "enter"):
+        pilot.press(key)
+        pilot.frames(2)
+    assert not pilot.overlay.shown.menu
+    assert pilot.app.scene.entered == 2, "the second entry restarts"  # type: ignore[attr-defined]
+    open_menu(pilot)
+    pilot.press("enter")
+    pilot.frames(2)
+    assert not pilot.overlay.shown.menu
+    assert pilot.app.scene.entered == 2, "the first entry only goes on"  # type: ignore[attr-defined]
