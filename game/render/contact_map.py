@@ -19,11 +19,21 @@ class ContactMap:
         self.texture = ctx.texture((_PIXELS, _PIXELS), 1)
         self.texture.repeat_x = self.texture.repeat_y = False
         self._frame = ctx.framebuffer([self.texture])
+        self._fixed = ctx.framebuffer([ctx.texture((_PIXELS, _PIXELS), 1)])
 
-    def draw(self, batches: Iterable[Batch]) -> None:
-        """Darken under all solids that cast shadows."""
+    def draw_fixed(self, batches: Iterable[Batch]) -> None:
+        """Darken under what stands still; needed again only when that changes."""
+        self._fixed.use()
+        self._fixed.clear(1.0, 1.0, 1.0, 1.0)
+        self._draw(batches)
+
+    def draw_moving(self, batches: Iterable[Batch]) -> None:
+        """Darken further under what moves."""
+        self._ctx.copy_framebuffer(self._frame, self._fixed)
         self._frame.use()
-        self._frame.clear(1.0, 1.0, 1.0, 1.0)
+        self._draw(batches)
+
+    def _draw(self, batches: Iterable[Batch]) -> None:
         self._ctx.enable_only(moderngl.BLEND)
         self._ctx.blend_func = moderngl.DST_COLOR, moderngl.ZERO
         for batch in batches:
@@ -31,5 +41,7 @@ class ContactMap:
         self._ctx.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
 
     def release(self) -> None:
-        self._frame.release()
-        self.texture.release()
+        for frame in (self._frame, self._fixed):
+            for picture in frame.color_attachments:
+                picture.release()
+            frame.release()

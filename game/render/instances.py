@@ -13,7 +13,7 @@ SOLID_FLOATS = 18
 LINE_FLOATS = 11
 """start 3, end 3, colour 4, width in pixels at 720 lines; a point is a line from itself to itself."""
 ROUND_BEVEL_M = 0.03
-"""Wider bevels are drawn with the finer mesh."""
+"""Wider bevels and thicker capsules are drawn with the finer mesh."""
 _NONE: Rows = np.empty((0, SOLID_FLOATS), dtype=np.float32)
 
 
@@ -119,11 +119,18 @@ def pack(layers: tuple[Layer, ...]) -> Packed:
 def _sort_in(item: object, opacity: float, bins: dict[str, list[Rows]]) -> None:
     if isinstance(item, Boxes | Capsules):
         rows = box_rows(item, opacity) if isinstance(item, Boxes) else capsule_rows(item, opacity)
-        shape = "edged" if isinstance(item, Boxes) and item.bevel_m <= ROUND_BEVEL_M else "round"
         if opacity < 1.0:
             bins["ghosts"].append(rows)
+            return
+        more = "" if item.casts_shadow else "_more"
+        slim = rows[:, 3] <= ROUND_BEVEL_M
+        if slim.all():
+            bins["edged" + more].append(rows)
+        elif not slim.any():
+            bins["round" + more].append(rows)
         else:
-            bins[shape if item.casts_shadow else f"{shape}_more"].append(rows)
+            bins["edged" + more].append(rows[slim])
+            bins["round" + more].append(rows[~slim])
     elif isinstance(item, Lines):
         bins["strokes_on_top" if item.on_top else "strokes"].append(line_rows(item, opacity))
     elif isinstance(item, Points):

@@ -16,9 +16,10 @@ def paint_materials(ctx: moderngl.Context, size: int, anisotropy: float) -> mode
     canvas = ctx.vertex_array(program, [])
     canvas.render(moderngl.TRIANGLES, vertices=3)
     sheets = ctx.texture_array((size, size, len(MATERIALS)), 4, data=wall.read(components=4))
-    sheets.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+    sheets.filter = (moderngl.LINEAR_MIPMAP_LINEAR if anisotropy > 1.0 else moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR)
     sheets.build_mipmaps()
-    sheets.anisotropy = min(anisotropy, ctx.max_anisotropy)
+    in_software = any(name in ctx.info["GL_RENDERER"].lower() for name in ("llvmpipe", "softpipe", "swrast"))
+    sheets.anisotropy = 1.0 if in_software else min(anisotropy, ctx.max_anisotropy)  # in software it costs seconds a picture
     ctx.screen.use()  # a framebuffer in use must not be released: moderngl would bind it again
     for used in (canvas, wall, program):
         used.release()

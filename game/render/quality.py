@@ -9,7 +9,8 @@ QualityName = Literal["low", "medium", "high"]
 
 @dataclass(frozen=True)
 class Quality:
-    """samples: of multisampling, 0 off; occlusion_taps: of screen-space ambient occlusion, 0 leaves the contact shading alone."""
+    """shadow_taps: 1 is four texels blended by the hardware; samples: of multisampling, 0 off;
+    occlusion_taps: of screen-space ambient occlusion, 0 leaves the contact shading alone."""
 
     shadow_size: int
     shadow_taps: int
@@ -26,7 +27,7 @@ class Quality:
 
 
 QUALITIES: Mapping[str, Quality] = {
-    "low": Quality(1024, 4, False, 0, 0, False, False, 2, 1, 3, 256, 1.0),
+    "low": Quality(1024, 1, False, 0, 0, False, False, 2, 1, 2, 256, 1.0),
     "medium": Quality(2048, 8, False, 4, 8, True, True, 3, 2, 5, 512, 4.0),
     "high": Quality(2048, 16, True, 4, 16, True, True, 3, 3, 8, 512, 8.0),
 }

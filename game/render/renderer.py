@@ -12,6 +12,7 @@ import numpy as np
 from game.drawables import Layer
 from game.render.camera import FAR_M, NEAR_M, Camera
 from game.render.contact_map import CENTRE_M, EXTENT_M, ContactMap
+from game.render.culling import View
 from game.render.finish import Finish
 from game.render.instances import Packed, Rows, pack
 from game.render.lights import find_lamps, room_lights, shadow_matrix
@@ -46,9 +47,11 @@ class Renderer:
         self._finish = Finish(ctx, self.quality.glow)
         self._targets: Targets | None = None
         self._static = StaticLayers()
+        self._view = View()
         self._fixed = Packed()
         self._lamps_from: Rows = self._fixed.edged
         self._adopted = -1
+        self._shade_stale = True
         self._light_matrix: Matrix = ()
         self._assign_units()
 
@@ -65,8 +68,10 @@ class Renderer:
         moving = self._take(layers)
         fov_deg = self.settings.number("picture.fov_deg")
         matrix = camera.view_projection(size[0] / size[1], fov_deg)
-        self._shadow.draw(self._solids.batches, self._solids.depth, self._light_matrix)
-        self._contact.draw(self._solids.batches)
+        self._draw_shade()
+        seen = self._view.choose(self._fixed, matrix)
+        if seen is not None:
+            self._solids.upload_fixed(seen)
         if targets.occlusion is not None:
             slope = math.tan(camera.fov_rad(fov_deg) / 2.0)
             lens = (slope * size[0] / size[1], slope, NEAR_M, FAR_M)
@@ -93,7 +98,7 @@ class Renderer:
         packed = pack(moving)
         if changed:
             self._fixed = pack(fixed)
-            self._solids.upload_fixed(self._fixed)
+            self._shade_stale = True
         self._solids.upload_moving(packed)
         glowing = tuple(rows[rows[:, 16] > 0.0] for rows in (self._fixed.edged, self._fixed.round, packed.edged, packed.round))
         lamps = np.concatenate(glowing)
@@ -110,6 +115,7 @@ class Renderer:
         self._adopted = self.settings.version
         lights = room_lights(self.settings)
         self._light_matrix = shadow_matrix(lights.to_light)
+        self._shade_stale = True
         places, colours = find_lamps(self._lamps_from, self.settings.number("picture.lamps"), self.quality.lamps)
         assign(
             self._solids.surface,
@@ -149,6 +155,18 @@ class Renderer:
             self._targets = Targets(self.ctx, self.quality, self._occlusion, size)
             assign(self._solids.surface, u_occlusion_scale=(1.0 / size[0], 1.0 / size[1]))
         return self._targets
+
+    def _draw_shade(self) -> None:
+        """Shadows and the darkening of the floor; of what stands still only where it or the light changed."""
+        solids = self._solids
+        if self._shade_stale:
+            solids.upload_fixed(self._fixed)
+            self._shadow.draw_fixed(solids.fixed, solids.depth, self._light_matrix)
+            self._contact.draw_fixed(solids.fixed)
+            self._shade_stale = False
+            self._view.forget()
+        self._shadow.draw_moving(solids.moving, solids.depth, self._light_matrix)
+        self._contact.draw_moving(solids.moving)
 
     def _draw_solids(self, matrix: Matrix, camera: Camera, targets: Targets) -> None:
         targets.canvas.use()

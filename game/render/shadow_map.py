@@ -10,21 +10,35 @@ from game.render.shader_source import assign
 
 
 class ShadowMap:
-    """A square depth picture of `size` pixels."""
+    """A square depth picture of `size` pixels. What stands still is drawn once and copied under what moves."""
 
     def __init__(self, ctx: moderngl.Context, size: int) -> None:
         self._ctx = ctx
         self.texture = ctx.depth_texture((size, size))
-        self._frame = ctx.framebuffer(depth_attachment=self.texture)
+        # moderngl copies a depth picture only along with a colour one: a byte a pixel, never written
+        self._frame = ctx.framebuffer([ctx.texture((size, size), 1)], self.texture)
+        self._fixed = ctx.framebuffer([ctx.texture((size, size), 1)], ctx.depth_texture((size, size)))
+        for frame in (self._frame, self._fixed):
+            frame.color_mask = (False, False, False, False)
+            frame.viewport = (1, 1, size - 2, size - 2)  # the rim stays empty: what lies outside the map is lit
         edge = {"repeat_x": False, "repeat_y": False}
         self.comparing = ctx.sampler(**edge, filter=(moderngl.LINEAR, moderngl.LINEAR), compare_func="<=")
         self.plain = ctx.sampler(**edge, filter=(moderngl.NEAREST, moderngl.NEAREST))
         self.texel = 1.0 / size
 
-    def draw(self, batches: Iterable[Batch], program: moderngl.Program, matrix: Matrix) -> None:
-        """Draw the casters of the batches."""
+    def draw_fixed(self, batches: Iterable[Batch], program: moderngl.Program, matrix: Matrix) -> None:
+        """Draw the casters that stand still; needed again only when they or the light change."""
+        self._fixed.use()
+        self._fixed.clear(depth=1.0)
+        self._draw(batches, program, matrix)
+
+    def draw_moving(self, batches: Iterable[Batch], program: moderngl.Program, matrix: Matrix) -> None:
+        """Draw the casters that move over those that stand still."""
+        self._ctx.copy_framebuffer(self._frame, self._fixed)
         self._frame.use()
-        self._frame.clear(depth=1.0)
+        self._draw(batches, program, matrix)
+
+    def _draw(self, batches: Iterable[Batch], program: moderngl.Program, matrix: Matrix) -> None:
         self._ctx.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         assign(program, u_view_projection=matrix)
         for batch in batches:
@@ -42,5 +56,10 @@ class ShadowMap:
         self.plain.clear(plain)
 
     def release(self) -> None:
-        for held in (self._frame, self.texture, self.comparing, self.plain):
-            held.release()
+        for frame in (self._frame, self._fixed):
+            for picture in (*frame.color_attachments, frame.depth_attachment):
+                if picture is not None:
+                    picture.release()
+            frame.release()
+        self.comparing.release()
+        self.plain.release()

@@ -24,9 +24,9 @@ class Solids:
         self.contact = compile_program(ctx, "contact.vert", "contact.frag")
         segments = {"edged": quality.edge_segments, "round": quality.round_segments, "cube": 0, "ball": 2}
         self._meshes = {name: upload_mesh(ctx, count) for name, count in segments.items()}
-        self._moving = (self._batch(ctx, "edged", "cube"), self._batch(ctx, "round", "ball"))
-        self._fixed = (self._batch(ctx, "edged", "cube"), self._batch(ctx, "round", "ball"))
-        self.batches = (*self._moving, *self._fixed)
+        self.moving = (self._batch(ctx, "edged", "cube"), self._batch(ctx, "round", "ball"))
+        self.fixed = (self._batch(ctx, "edged", "cube"), self._batch(ctx, "round", "ball"))
+        self.batches = (*self.moving, *self.fixed)
 
     def _batch(self, ctx: moderngl.Context, seen: str, hull: str) -> Batch:
         draws = {"surface": (self.surface, self._meshes[seen]), "depth": (self.depth, self._meshes[hull]), "contact": (self.contact, None)}
@@ -34,18 +34,18 @@ class Solids:
 
     def upload_moving(self, packed: Packed) -> None:
         """Hand over the solids of this picture."""
-        self._moving[0].upload(packed.edged, packed.edged_casters)
-        self._moving[1].upload(packed.round, packed.round_casters)
+        self.moving[0].upload(packed.edged, packed.edged_casters)
+        self.moving[1].upload(packed.round, packed.round_casters)
 
     def upload_fixed(self, packed: Packed) -> None:
         """Hand over the solids that stand still until the next call."""
-        self._fixed[0].upload(packed.edged, packed.edged_casters)
-        self._fixed[1].upload(packed.round, packed.round_casters)
+        self.fixed[0].upload(packed.edged, packed.edged_casters)
+        self.fixed[1].upload(packed.round, packed.round_casters)
 
     @property
     def fixed_uploads(self) -> int:
         """How often standing solids were sent to the graphics card."""
-        return sum(batch.uploads for batch in self._fixed)
+        return sum(batch.uploads for batch in self.fixed)
 
     def release(self) -> None:
         for batch in self.batches:

@@ -1,5 +1,5 @@
 // How much of the main light arrives, 0 to 1.
-#if SHADOW_TAPS > 4
+#if SHADOW_TAPS > 1
 const vec2 SPIRAL[16] = vec2[16](
     vec2(0.177, 0.0), vec2(-0.226, 0.207), vec2(0.035, -0.394), vec2(0.285, 0.371),
     vec2(-0.522, -0.092), vec2(0.494, -0.315), vec2(-0.165, 0.615), vec2(-0.315, -0.607),
@@ -10,19 +10,9 @@ float speckle() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06
 #endif
 
 float shadow_light(float toward) {
-    if (any(greaterThan(abs(v_shadow - 0.5), vec3(0.5)))) return 1.0;
     float bias = u_shadow_texel * 0.6 * (1.5 - toward);
 #if SHADOW_TAPS == 1
     return texture(u_shadow_map, vec3(v_shadow.xy, v_shadow.z - bias));
-#elif SHADOW_TAPS == 4
-    float reach = u_shadow_texel * 0.9;
-    float sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        vec2 way = vec2(i < 2 ? -1.0 : 1.0, i % 2 == 0 ? -0.5 : 0.5);
-        if (i >= 2) way.y = -way.y;
-        sum += texture(u_shadow_map, vec3(v_shadow.xy + way * reach, v_shadow.z - bias));
-    }
-    return sum * 0.25;
 #else
     float turn = speckle() * 6.2831853;
     mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));

@@ -56,11 +56,18 @@ void main() {
     for (int i = 0; i < LAMPS; ++i) {
         vec3 way = u_lamp[i].xyz - v_position;
         float square = dot(way, way);
+#if GLOSS
         float wrapped = max(dot(normal, way) * inversesqrt(square) * 0.7 + 0.3, 0.0);
+#else
+        const float wrapped = 0.5;
+#endif
         light += u_lamp_colour[i] * (wrapped * open / (square + u_lamp[i].w));
     }
     vec3 colour = albedo * light;
 
+    float grazing5 = grazing * grazing; grazing5 *= grazing5 * grazing;
+    float smooth_part = 1.0 - roughness;
+#if GLOSS
     vec3 half_way = normalize(view + u_to_light);
     float spread = roughness * roughness;
     float spread2 = spread * spread;
@@ -68,9 +75,8 @@ void main() {
     float bend = max(dot(u_to_light, half_way), 0.1);
     float lobe = peak * peak * (spread2 - 1.0) + 1.0;
     float shine = spread2 / (lobe * lobe * bend * bend * (roughness * 4.0 + 2.0));
-    float grazing5 = grazing * grazing; grazing5 *= grazing5 * grazing;
-    float smooth_part = 1.0 - roughness;
     colour += u_key * (min(shine, 12.0) * 0.04 * toward * sun);
+#endif
     vec3 mirrored = reflect(-view, normal);
     vec3 around = mix(u_ground, u_sky, mirrored.z * 0.5 + 0.5);
 #if GLOSS

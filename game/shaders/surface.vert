@@ -5,6 +5,7 @@ in vec2 i_stuff;  // emission, material
 uniform mat4 u_view_projection;
 uniform mat4 u_light;
 uniform float u_inflate;
+uniform float u_shadow_texel;
 out vec3 v_position;
 out vec3 v_normal;
 out vec3 v_shadow;
@@ -42,7 +43,7 @@ void main() {
     v_position = i_place.xyz + turned(p);
     v_normal = turned(in_way);
     vec4 in_light = u_light * vec4(v_position + v_normal * 0.012, 1.0);
-    v_shadow = in_light.xyz * 0.5 + 0.5;
+    v_shadow = vec3(in_light.xy * (0.5 - u_shadow_texel), in_light.z * 0.5) + 0.5;  // the rim of the map stays empty
     v_uv = surface_coordinates(p);
     v_colour = i_colour;
     v_stuff = vec3(i_half.w, i_stuff);
