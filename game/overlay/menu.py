@@ -34,6 +34,7 @@ class Menu:
         imgui.begin("menu", None, FIXED)
         if imgui.is_window_appearing():
             imgui.set_window_focus()
+            imgui.set_nav_cursor_visible(True)  # it was a key or a gamepad that opened the menu
         wide = ImVec2(min(19.0 * em, 0.8 * size[0]), 0.0)
         _heading("Topple", self._fonts, 1.9, self._fonts.display)
         big = ImVec2(wide.x, 2.1 * em)
