@@ -132,6 +132,7 @@ class Actions:
         self._app.scene.enter()
         self._at_start = _restart_values(self._app)
         self._paused = False
+        self.steering.start_over()
 
     def _stage(self, kind: str, value: str) -> None:
         if self._app.on_request is None:

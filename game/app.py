@@ -164,7 +164,7 @@ def play(
 ) -> AppReport:
     """Play a scene until it is over or the player quits; headless with a progress bar on stderr. Raises NoPicture."""
     app = App(scene, settings, options, controls, on_request, clock)
-    progress = Progress("topple", app.seconds) if options.headless else None
+    progress = Progress("topple", app.seconds, start_s=app.scene.time_s) if options.headless else None
     try:
         while not app.over:
             app.frame()

@@ -40,6 +40,10 @@ class Steering:
         self._steered: Steered | None = None
         self.touched = False
 
+    def start_over(self) -> None:
+        """The scene began anew: hand what is still held down to whatever is steered next."""
+        self._steered = None
+
     def route(self, steered: Steered | None, pressed: Set[str], gamepad: GamepadState | None) -> bool:
         """Once per picture frame; True where somebody steered in this one. `touched` says whether anybody ever has."""
         keys = self._from_keys(pressed)

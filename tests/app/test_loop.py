@@ -159,6 +159,15 @@ def test_progress_on_a_file_is_ten_lines_and_not_a_thousand() -> None:
     assert "[##############################] 100 %  10.0 of 10.0 s" in lines[-1]
 
 
+def test_the_bar_counts_the_hang_and_the_seconds_do_not() -> None:
+    stream = io.StringIO()
+    bar = Progress("topple", 3.0, stream, start_s=-1.0)
+    for now in (-1.0, 0.0, 3.0):
+        bar.show(now)
+    assert ["0 %  0.0 of 3.0 s" in stream.getvalue().splitlines()[0], " 25 %  0.0 of" in stream.getvalue()] == [True, True]
+    assert "100 %  3.0 of 3.0 s" in stream.getvalue()
+
+
 def test_a_run_of_unknown_length_counts_seconds() -> None:
     stream = io.StringIO()
     bar = Progress("topple", None, stream)

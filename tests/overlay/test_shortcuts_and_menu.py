@@ -44,6 +44,22 @@ def test_r_restarts_the_scene(play_box: PlayBox) -> None:
     assert pilot.app.scene.entered == 2  # type: ignore[attr-defined]
 
 
+def test_a_key_held_through_a_restart_still_steers(play_box: PlayBox) -> None:
+    pilot = play_box()
+    pilot.key("w", True)
+    assert pilot.app.controls is not None
+    enter = pilot.app.scene.enter
+
+    def enter_with_a_fresh_puppet() -> None:
+        enter()
+        pilot.app.controls.controls = Push()
+
+    pilot.app.scene.enter = enter_with_a_fresh_puppet  # type: ignore[method-assign]
+    pilot.key("r", True)
+    pilot.frames(1)
+    assert pilot.app.controls.controls == Push(along=1.0)
+
+
 def test_keys_steer_while_they_are_held(play_box: PlayBox) -> None:
     pilot = play_box()
     pilot.key("w", True)
