@@ -123,14 +123,12 @@ def _sort_in(item: object, opacity: float, bins: dict[str, list[Rows]]) -> None:
             bins["ghosts"].append(rows)
             return
         more = "" if item.casts_shadow else "_more"
-        slim = rows[:, 3] <= ROUND_BEVEL_M
-        if slim.all():
-            bins["edged" + more].append(rows)
-        elif not slim.any():
-            bins["round" + more].append(rows)
-        else:
-            bins["edged" + more].append(rows[slim])
-            bins["round" + more].append(rows[~slim])
+        if isinstance(item, Boxes):
+            bins[("edged" if item.bevel_m <= ROUND_BEVEL_M else "round") + more].append(rows)
+            return
+        thick = rows[:, 3] > ROUND_BEVEL_M
+        bins["edged" + more].append(rows[~thick])
+        bins["round" + more].append(rows[thick])
     elif isinstance(item, Lines):
         bins["strokes_on_top" if item.on_top else "strokes"].append(line_rows(item, opacity))
     elif isinstance(item, Points):

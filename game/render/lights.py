@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.render.instances import Rows
 from game.render.matrices import Matrix, Vector, look_at, multiply, orthographic
@@ -17,7 +18,7 @@ _SKY = (0.19, 0.23, 0.31)
 _GROUND = (0.17, 0.12, 0.085)
 _FILL = (0.20, 0.15, 0.11)
 _RIM = (0.55, 0.70, 0.95)
-_LEAST_GLOW = 0.5
+_LEAST_POWER = 0.02
 
 
 @dataclass(frozen=True)
@@ -49,16 +50,24 @@ def shadow_matrix(to_light: Vector) -> Matrix:
     return multiply(orthographic(SHADOW_REACH_M, SHADOW_REACH_M, 2.0, 14.0), look_at(eye, SHADOW_CENTRE))
 
 
+def glowing(rows: Rows) -> Rows:
+    """Those of rows (N, 18) that light the room: bright and large. An eye glows, but lights nothing."""
+    return rows[_power(rows) > _LEAST_POWER]
+
+
 def find_lamps(rows: Rows, brightness: float, count: int) -> tuple[list[tuple[float, ...]], list[tuple[float, ...]]]:
-    """The `count` strongest glowing solids among rows (N, 18): (x, y, z, squared radius) and RGB of each; missing ones are black."""
+    """The `count` strongest of rows (N, 18): (x, y, z, squared radius) and RGB of each; missing ones are black."""
     places: list[tuple[float, ...]] = []
     colours: list[tuple[float, ...]] = []
-    size = np.sort(np.abs(rows[:, 8:11]), axis=1)
-    area = size[:, 1] * size[:, 2]
-    power = np.where(rows[:, 16] > _LEAST_GLOW, rows[:, 16], 0.0) * area
+    power = _power(rows)
     for row in np.argsort(-power, kind="stable")[:count]:
-        if power[row] > 1e-3:
-            places.append((*map(float, rows[row, 0:3]), float(area[row]) + 0.02))
-            colours.append(tuple(float(v) * float(power[row]) * 3.0 * brightness for v in rows[row, 12:15]))
+        places.append((*map(float, rows[row, 0:3]), float(power[row] / rows[row, 16]) + 0.02))
+        colours.append(tuple(float(v) * float(power[row]) * 3.0 * brightness for v in rows[row, 12:15]))
     missing = count - len(places)
     return places + [(0.0, 0.0, -50.0, 1.0)] * missing, colours + [(0.0, 0.0, 0.0)] * missing
+
+
+def _power(rows: Rows) -> NDArray[np.float32]:
+    """Emission times the larger side's quarter area (m2)."""
+    half = np.abs(rows[:, 8:11])
+    return rows[:, 16] * half.prod(axis=1) / np.maximum(half.min(axis=1), 1e-6)

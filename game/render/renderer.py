@@ -15,7 +15,7 @@ from game.render.contact_map import CENTRE_M, EXTENT_M, ContactMap
 from game.render.culling import View
 from game.render.finish import Finish
 from game.render.instances import Packed, Rows, pack
-from game.render.lights import find_lamps, room_lights, shadow_matrix
+from game.render.lights import find_lamps, glowing, room_lights, shadow_matrix
 from game.render.materials import paint_materials
 from game.render.matrices import Matrix
 from game.render.occlusion import OcclusionPrograms
@@ -49,7 +49,8 @@ class Renderer:
         self._static = StaticLayers()
         self._view = View()
         self._fixed = Packed()
-        self._lamps_from: Rows = self._fixed.edged
+        self._fixed_lamps: Rows = self._fixed.edged
+        self._lamps: Rows = self._fixed.edged
         self._adopted = -1
         self._shade_stale = True
         self._light_matrix: Matrix = ()
@@ -98,12 +99,12 @@ class Renderer:
         packed = pack(moving)
         if changed:
             self._fixed = pack(fixed)
+            self._fixed_lamps = np.concatenate((glowing(self._fixed.edged), glowing(self._fixed.round)))
             self._shade_stale = True
         self._solids.upload_moving(packed)
-        glowing = tuple(rows[rows[:, 16] > 0.0] for rows in (self._fixed.edged, self._fixed.round, packed.edged, packed.round))
-        lamps = np.concatenate(glowing)
-        if self._adopted != self.settings.version or lamps.shape != self._lamps_from.shape or not np.array_equal(lamps, self._lamps_from):
-            self._lamps_from = lamps
+        lamps = np.concatenate((self._fixed_lamps, glowing(packed.edged), glowing(packed.round)))
+        if self._adopted != self.settings.version or not np.array_equal(lamps, self._lamps):
+            self._lamps = lamps
             self._adopt_settings()
         return packed
 
@@ -116,7 +117,7 @@ class Renderer:
         lights = room_lights(self.settings)
         self._light_matrix = shadow_matrix(lights.to_light)
         self._shade_stale = True
-        places, colours = find_lamps(self._lamps_from, self.settings.number("picture.lamps"), self.quality.lamps)
+        places, colours = find_lamps(self._lamps, self.settings.number("picture.lamps"), self.quality.lamps)
         assign(
             self._solids.surface,
             u_light=self._light_matrix,

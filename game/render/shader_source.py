@@ -29,5 +29,6 @@ def compile_program(ctx: moderngl.Context, vertex: str, fragment: str, **defines
 def assign(program: moderngl.Program, **values: object) -> None:
     """Set uniforms by name; one that the compiler found unused is passed over."""
     for name, value in values.items():
-        if name in program:
-            program[name] = value  # type: ignore[assignment]
+        uniform = program.get(name, None)
+        if uniform is not None:
+            uniform.value = value  # type: ignore[union-attr]
