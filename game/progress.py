@@ -28,7 +28,8 @@ class Progress:
         else:
             part = min(1.0, max(0.0, (done_s - self._start) / max(self._total - self._start, 1e-9)))
             tick = int(part * (100 if self._live else 10))
-            line = f"{self._label} [{'#' * int(part * 30):<30}] {part * 100:3.0f} %  {max(0.0, done_s):.1f} of {self._total:.1f} s, took {took:.0f} s"
+            seconds = f"{max(0.0, done_s):.1f} of {self._total:.1f} s, took {took:.0f} s"
+            line = f"{self._label} [{'#' * int(part * 30):<30}] {part * 100:3.0f} %  {seconds}"
         if tick == self._shown:
             return
         self._shown = tick

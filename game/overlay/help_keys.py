@@ -13,7 +13,7 @@ SIZE = 0.9
 ROW_EM = 1.95
 GAP_EM = 0.2
 TOP_EM = 5.2
-FOOT_EM = 2.9
+FOOT_EM = 3.1
 
 
 def help_opacity(view: View) -> float:

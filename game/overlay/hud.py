@@ -40,6 +40,7 @@ class Hud:
         if view.score != self._score:
             if self._score is not None and view.score is not None and view.messages:
                 self._banner = (view.messages[-1], view.now_s)
+                self.toasts.drop(view.messages[-1])
             self._score = view.score
         if self._banner is not None and not 0 <= view.now_s - self._banner[1] < BANNER_S:
             self._banner = None
@@ -99,11 +100,12 @@ class Hud:
     def _draw_hint(self, ink: Ink, shown: Shown, size: tuple[float, float]) -> None:
         if shown.menu or shown.help:
             return
-        em, x = ink.em, 0.9 * ink.em
-        y = size[1] - 2.0 * em
+        em, x, y = ink.em, 1.35 * ink.em, size[1] - 2.0 * ink.em
+        width = sum(ink.key_cap_width(key, 0.75) + ink.width(meaning, 0.82) + 1.25 * em for key, meaning in HINT) - 0.9 * em
+        ink.box(0.9 * em, y - 0.27 * em, width + 0.9 * em, 1.8 * em, PILL, 0.5)
         for key, meaning in HINT:
-            x += ink.key_cap(x, y, key, 0.85, 0.75) + 0.35 * em
-            ink.text(x, y + 0.14 * em, meaning, alpha(INK, 0.85), 0.82)
+            x += ink.key_cap(x, y, key, 1.0, 0.75) + 0.35 * em
+            ink.text(x, y + 0.12 * em, meaning, INK, 0.82, shadow=False)
             x += ink.width(meaning, 0.82) + 0.9 * em
 
 

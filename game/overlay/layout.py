@@ -32,7 +32,7 @@ def panel_area(size: tuple[float, float], em: float) -> Area:
 def plots_area(size: tuple[float, float], em: float) -> Area:
     """The plots: the left edge, between the input's line and the hints."""
     width, top = min(PLOTS_EM * em, 0.36 * size[0]), 3.1 * em
-    return Area(MARGIN_EM * em, top, width, size[1] - top - 2.6 * em)
+    return Area(MARGIN_EM * em, top, width, size[1] - top - 3.0 * em)
 
 
 def free_span(shown: Shown, size: tuple[float, float], em: float) -> tuple[float, float]:

@@ -39,6 +39,10 @@ class Toasts:
         """Show one sentence from now on; a repeated one starts its time again."""
         self._toasts = [t for t in self._toasts if t.text != text][-self._most + 1 :] + [Toast(text, now_s)]
 
+    def drop(self, text: str) -> None:
+        """Take a sentence away: it is said in another place."""
+        self._toasts = [t for t in self._toasts if t.text != text]
+
     def visible(self, now_s: float) -> list[Toast]:
         """Oldest first, those that still show."""
         self._toasts = [t for t in self._toasts if t.opacity(now_s) > 0.0]
