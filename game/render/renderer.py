@@ -11,7 +11,7 @@ import numpy as np
 
 from game.drawables import Layer
 from game.render.camera import FAR_M, NEAR_M, Camera
-from game.render.contact_map import CENTRE_M, EXTENT_M, ContactMap
+from game.render.contact_map import FLOOR, ContactMap
 from game.render.culling import View
 from game.render.finish import Finish
 from game.render.instances import Packed, Rows, pack
@@ -42,7 +42,7 @@ class Renderer:
         self._strokes: Strokes | None = None
         self._materials = paint_materials(ctx, self.quality.material_size, self.quality.anisotropy)
         self._shadow = ShadowMap(ctx, self.quality.shadow_size)
-        self._contact = ContactMap(ctx)
+        self._contact = ContactMap(ctx, 0 if self.quality.gloss else self.quality.lamps)
         self._occlusion = OcclusionPrograms(ctx, self.quality.occlusion_taps) if self.quality.occlusion_taps else None
         self._finish = Finish(ctx, self.quality.glow)
         self._targets: Targets | None = None
@@ -132,6 +132,8 @@ class Renderer:
             u_lamp_colour=colours,
             u_ambient_occlusion=self.settings.number("picture.ambient_occlusion"),
         )
+        if self._contact.program is not None:
+            assign(self._contact.program, u_lamp=places, u_lamp_colour=colours)
         self._finish.adopt(self.settings)
 
     def _assign_units(self) -> None:
@@ -145,9 +147,8 @@ class Renderer:
             u_shadow_texel=self._shadow.texel,
             u_inflate=0.0,
         )
-        floor = (*CENTRE_M, 1.0 / EXTENT_M, 0.0)
-        assign(self._solids.surface, u_floor=floor)
-        assign(self._solids.contact, u_floor=floor)
+        assign(self._solids.surface, u_floor=FLOOR)
+        assign(self._solids.contact, u_floor=FLOOR)
 
     def _fit_targets(self, size: tuple[int, int]) -> Targets:
         if self._targets is None or self._targets.size != size:

@@ -15,6 +15,8 @@ class Targets:
         samples = min(quality.samples, ctx.max_samples)
         self.picture = ctx.texture(size, 4, dtype="f2")
         self.picture.repeat_x = self.picture.repeat_y = False
+        if not quality.glow:
+            self.picture.filter = (moderngl.NEAREST, moderngl.NEAREST)  # read pixel by pixel: in software a blend costs four times as much
         if samples > 1:
             colour = ctx.renderbuffer(size, 4, samples=samples, dtype="f2")
             self.canvas = ctx.framebuffer([colour], ctx.depth_renderbuffer(size, samples=samples))

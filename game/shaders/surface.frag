@@ -42,8 +42,8 @@ void main() {
     vec3 albedo = v_colour.rgb * stuff.rgb * stuff.rgb;
     float roughness = clamp(v_stuff.x * stuff.a * 2.0, 0.08, 1.0);
 
-    float ground_light = texture(u_contact, (v_position.xy - u_floor.xy) * u_floor.z + 0.5).r;
-    float open = mix(ground_light, 1.0, clamp(v_position.z * 4.0, 0.0, 1.0));
+    vec4 plan = texture(u_contact, (v_position.xy - u_floor.xy) * u_floor.z + 0.5);
+    float open = mix(plan.a, 1.0, clamp(v_position.z * 4.0, 0.0, 1.0));
 #if OCCLUSION
     open *= texture(u_occlusion, gl_FragCoord.xy * u_occlusion_scale).r;
 #endif
@@ -53,16 +53,16 @@ void main() {
     float sun = toward > 0.0 ? shadow_light(toward) : 0.0;
     vec3 light = u_key * (toward * sun) * mix(1.0, open, 0.35);
     light += (mix(u_ground, u_sky, normal.z * 0.5 + 0.5) + u_fill * (0.55 + 0.45 * dot(normal, u_to_fill))) * open;
+#if GLOSS
     for (int i = 0; i < LAMPS; ++i) {
         vec3 way = u_lamp[i].xyz - v_position;
         float square = dot(way, way);
-#if GLOSS
         float wrapped = max(dot(normal, way) * inversesqrt(square) * 0.7 + 0.3, 0.0);
-#else
-        const float wrapped = 0.5;
-#endif
         light += u_lamp_colour[i] * (wrapped * open / (square + u_lamp[i].w));
     }
+#else
+    light += plan.rgb * (2.4 - 0.7 * abs(v_position.z - 1.2));
+#endif
     vec3 colour = albedo * light;
 
     float grazing5 = grazing * grazing; grazing5 *= grazing5 * grazing;
