@@ -3,7 +3,8 @@
 from game.characters.body_plan import BodyPlanError, load_body_plan
 from game.commands import BadInput
 from game.inputs.open_input import InputError, open_input
-from game.scenes.fighter import NoBodyError
+from game.inputs.puppet import puppet_of
+from game.inputs.puppet_controls import PuppetControls
 from game.scenes.registry import SCENES, PlayableScene
 from game.tunables import Settings
 from kinect.source import BodySource
@@ -14,8 +15,8 @@ class Casting:
 
     def __init__(self, spec: str, character: str, settings: Settings, seed: int) -> None:
         self.spec, self.character, self.seed = spec, character, seed
-        self._settings = settings
-        self.newest: BodySource | None = None
+        self.settings = settings
+        self._newest: BodySource | None = None
         try:
             self.plan = load_body_plan(character)
         except BodyPlanError as fault:
@@ -24,9 +25,9 @@ class Casting:
 
     def open(self) -> BodySource:
         """A fresh source with the sensor model's present settings."""
-        settings = self._settings
+        settings = self.settings
         try:
-            self.newest = open_input(
+            self._newest = open_input(
                 self.spec,
                 noise=settings.number("sensor.noise"),
                 latency_s=settings.number("sensor.latency_s"),
@@ -35,17 +36,24 @@ class Casting:
             )
         except InputError as fault:
             raise BadInput(str(fault)) from fault
-        return self.newest
+        return self._newest
+
+    @property
+    def controls(self) -> PuppetControls | None:
+        """What keys and gamepad steer: the controls of the newest puppet, None where the input is none."""
+        puppet = puppet_of(self._newest) if self._newest is not None else None
+        return None if puppet is None else puppet.controls
+
+    @controls.setter
+    def controls(self, wanted: PuppetControls) -> None:
+        puppet = puppet_of(self._newest) if self._newest is not None else None
+        if puppet is not None:
+            puppet.controls = wanted
 
     def default_scene(self) -> str:
         """`mirror` for a recording or a performer, else `duel`."""
         return "mirror" if self.spec.startswith(("clip:", "performer:")) else "duel"
 
     def scene(self, name: str) -> PlayableScene:
-        """The scene, not yet entered; raises BadInput where the input shows nobody."""
-        scene = SCENES[name](self.plan, self.open, self._settings, self.seed, self.spec)
-        try:
-            scene.enter()
-        except NoBodyError as fault:
-            raise BadInput(str(fault)) from fault
-        return scene
+        """The scene, not yet entered; entering raises NoBodyError where the input shows nobody."""
+        return SCENES[name](self.plan, self.open, self.settings, self.seed, self.spec)

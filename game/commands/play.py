@@ -8,10 +8,10 @@ from pathlib import Path
 from game.commands import DONE, BadInput
 from game.commands.casting import Casting
 from game.presets import PRESETS, apply_preset
+from game.scenes.fighter import NoBodyError
 from game.tunables import TUNABLES, Settings, TunableError
+from game.undrawn import run_undrawn
 
-DEFAULT_SECONDS = 20.0
-OUTPUT = Path("topple-output")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -52,15 +52,19 @@ def run(arguments: argparse.Namespace) -> int:
         arguments.input = "performer:boxing"
     casting = Casting(arguments.input, arguments.character, settings, arguments.seed)
     scene = casting.scene(arguments.scene or casting.default_scene())
-    if arguments.no_draw:
-        from game.undrawn import run_undrawn
+    try:
+        if arguments.no_draw:
+            outcome = run_undrawn(scene, arguments.seconds)
+        else:
+            from game.commands.picture import draw
 
-        outcome = run_undrawn(scene, arguments.seconds if arguments.seconds or scene.endless else None)
-    else:
-        from game.commands.picture import draw
-
-        outcome = draw(scene, casting, settings, arguments, size, headless=headless, announce=announce)
+            scene, outcome = draw(scene, casting, settings, arguments, size, headless=headless, announce=announce)
+    except NoBodyError as fault:
+        raise BadInput(str(fault)) from fault
     report = {**scene.report(), **outcome}
+    ms = report["ms_per_frame"]
+    assert isinstance(ms, dict)
+    ms["draw"] = outcome["stage_ms"].get("draw", 0.0) if "stage_ms" in outcome else 0.0
     if arguments.report is not None:
         write_report(arguments.report, report)
     if arguments.no_draw or headless:

@@ -10,6 +10,7 @@ from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import DOF_COUNT
 from game.control.joint_command import BalanceStrategy
 from game.control.strategies import STRATEGIES
+from game.inputs.sensor_noise import SensorNoise
 from game.intake.intake import Intake
 from game.intake.world_frame import WorldFrame
 from game.physics.hang import hanging_root, hold_root, release_root
@@ -94,6 +95,10 @@ class Fighter:
 
     def watch(self, until_s: float) -> None:
         """Take every frame up to `until_s` and bring the target up to date; bad frames hold the last good target."""
+        if isinstance(self.source, SensorNoise):
+            self.source.scale = self._settings.number("sensor.noise")
+            self.source.latency_s = self._settings.number("sensor.latency_s")
+            self.source.outliers = self._settings.number("sensor.outliers")
         for frame in self.source.poll(until_s):
             self.frames_seen += 1
             seen = self.intake.apply(frame)
