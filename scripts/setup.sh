@@ -73,15 +73,18 @@ find_python() {
     return 1
 }
 
+# made-with holds the name of the Python that made the environment and the file it was: another name or file makes it anew.
+is_made() {
+    [ -x "$python" ] && [ -f "$venv/made-with" ] || return 1
+    { read -r name && read -r file; } <"$venv/made-with" || return 1
+    [ "$name" = "${TOPPLE_PYTHON:-$name}" ] && [ "$file" = "$(readlink -f "$python")" ]
+}
+
 make_venv() {
-    wanted=${TOPPLE_PYTHON:-}
-    made_with=$(cat "$venv/made-with" 2>/dev/null || true)
-    if [ -x "$python" ] && [ -f "$venv/made-with" ] && { [ -z "$wanted" ] || [ "$wanted" = "$made_with" ]; }; then
-        "$python" -c '' 2>/dev/null && return 0
-    fi
+    is_made && return 0
     found=$(find_python) || return 1
     "$found" -m venv --clear "$venv" || return 1
-    echo "$found" >"$venv/made-with"
+    printf '%s\n' "$found" "$(readlink -f "$python")" >"$venv/made-with"
 }
 
 # The lock file that was installed last lies in the environment as a copy: equal means nothing is to be done.

@@ -71,10 +71,17 @@ def test_a_run_without_a_picture_asks_for_no_libraries(tmp_path: Path) -> None:
 def test_what_is_installed_is_not_installed_again(tmp_path: Path) -> None:
     (tmp_path / "bin").mkdir()
     (tmp_path / "bin" / "python").symlink_to(sys.executable)
-    (tmp_path / "made-with").write_text("python3\n")
+    (tmp_path / "made-with").write_text(f"python3\n{Path(sys.executable).resolve()}\n")
     shutil.copy(ROOT / "requirements" / "test.txt", tmp_path / "installed-test.txt")
     done = sh("set_up test; set_up play; echo ready", TOPPLE_VENV=str(tmp_path))
     assert (done.returncode, done.stdout, done.stderr) == (0, "ready\n", "")
+
+
+def test_an_environment_of_a_python_that_is_no_more_is_made_anew(tmp_path: Path) -> None:
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "python").symlink_to(sys.executable)
+    (tmp_path / "made-with").write_text("python3\n/usr/bin/python3.10\n")
+    assert sh("is_made", TOPPLE_VENV=str(tmp_path)).returncode != 0
 
 
 def test_a_changed_lock_is_installed_anew(tmp_path: Path) -> None:
