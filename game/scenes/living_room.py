@@ -47,6 +47,6 @@ def room_cameras() -> Mapping[str, CameraHint]:
     return {
         "mirror": CameraHint((3.15, 0.55, 1.62), (-0.25, -0.06, 0.93), 40.0),
         "behind": CameraHint((-2.75, 0.95, 1.75), (0.9, 0.0, 0.92), 40.0),
-        "side": CameraHint((0.35, -2.95, 1.35), (0.1, 0.2, 0.95), 40.0),
-        "above": CameraHint((1.9, 1.5, 2.5), (0.0, 0.0, 0.6), 40.0),
+        "ringside": CameraHint((1.55, 2.75, 1.45), (0.25, 0.0, 0.92), 40.0),
+        "above": CameraHint((2.2, 1.3, 3.3), (0.2, 0.0, 0.65), 40.0),
     }

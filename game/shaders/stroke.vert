@@ -7,8 +7,8 @@ in float i_width;
 uniform mat4 u_view_projection;
 uniform vec2 u_size;
 flat out vec4 v_colour;
-out vec2 v_across;
-flat out float v_length;
+out vec2 v_across;  // along and across, two units a pixel
+flat out vec2 v_size;  // length, half width
 
 void main() {
     vec4 a = u_view_projection * vec4(i_start, 1.0), b = u_view_projection * vec4(i_end, 1.0);
@@ -21,13 +21,13 @@ void main() {
     vec2 way = pb - pa;
     float span = length(way);
     way = span > 1e-4 ? way / span : vec2(1.0, 0.0);
-    float half_width = max(i_width * u_size.y / 720.0, 1.0);
+    float half_width = max(i_width * u_size.y / 720.0, 1.0) + 1.0;  // two units a pixel, half a pixel of soft edge
     vec2 shift = (vec2(-way.y, way.x) * side + way * (end ? 1.0 : -1.0)) * half_width;
     vec4 p = end ? b : a;
     p.xy += shift / u_size * p.w;
     p.z -= 0.002 * p.w;
     gl_Position = a.w < nearest && b.w < nearest ? vec4(2.0, 2.0, 2.0, 1.0) : p;
     v_colour = i_colour;
-    v_length = span / half_width;
-    v_across = vec2((end ? v_length + 1.0 : -1.0), side);
+    v_size = vec2(span, half_width);
+    v_across = vec2(end ? span + half_width : -half_width, side * half_width);
 }
