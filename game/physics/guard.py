@@ -13,6 +13,9 @@ Floats = NDArray[np.float64]
 SPEED_LIMIT = 1e3
 """Root m/s or joint rad/s beyond which a state is no motion of a body but a failed step."""
 
+PLACE_LIMIT_M = 1e4
+"""Farther from the origin no body has walked; quaternions are far below it."""
+
 TORQUE_LIMIT_NM = 1e5
 
 
@@ -27,12 +30,12 @@ def command_is_sound(command: JointCommand) -> bool:
 
 
 def unsound_characters(bodies: Sequence[BodyDynamics], position: Floats, velocity: Floats) -> list[int]:
-    """Characters whose part of qpos or qvel is not finite or faster than any body."""
-    if velocity @ velocity < SPEED_LIMIT**2 and np.isfinite(position.sum()):
+    """Characters whose part of qpos or qvel is not finite, faster than any body or out of the world."""
+    # the comparisons are false for NaN
+    if velocity @ velocity < SPEED_LIMIT**2 and position @ position < PLACE_LIMIT_M**2:
         return []
-    found = []
-    for index, body in enumerate(bodies):
-        v = velocity[body.dofs]
-        if not (np.isfinite(position[body.coordinates]).all() and np.isfinite(v).all() and np.abs(v).max() < SPEED_LIMIT):
-            found.append(index)
-    return found
+
+    def sound(body: BodyDynamics) -> bool:
+        return bool(np.abs(velocity[body.dofs]).max() < SPEED_LIMIT and np.abs(position[body.coordinates]).max() < PLACE_LIMIT_M)
+
+    return [index for index, body in enumerate(bodies) if not sound(body)]

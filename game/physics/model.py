@@ -21,6 +21,8 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
 
     Characters collide with the floor and with each other; with their own parts only if `self_collision`.
     """
+    # MuJoCo would print each warning and write MUJOCO_LOG.TXT into the current folder; the world counts them instead
+    mj.set_mju_user_warning(_already_counted)
     spec = mj.MjSpec()
     spec.option.timestep = step_s
     spec.option.integrator = INTEGRATORS[integrator]
@@ -30,6 +32,9 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
     spec.option.cone = mj.mjtCone.mjCONE_PYRAMIDAL
     # a failed step must show, not silently restart the world
     spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_AUTORESET
+    if len(plans) > 1:
+        # a warm start is taken or refused for all characters at once: what one does would change the last bits of the others
+        spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_WARMSTART
     if integrator == "explicit":
         spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_EULERDAMP
     spec.worldbody.add_geom(
@@ -41,6 +46,10 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
 
 
 SOLREF = [0.01, 1.0]
+
+
+def _already_counted(_text: str) -> None:
+    """MuJoCo's warnings stand in `MjData.warning`."""
 
 
 def _add_character(spec: mj.MjSpec, plan: BodyPlan, index: int, count: int, friction: float, self_collision: bool) -> None:
