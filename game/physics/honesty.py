@@ -54,10 +54,17 @@ class HonestyMeter:
         np.copyto(self._end_position, self._position)
         np.copyto(self._end_velocity, self._velocity)
 
-    def before_step(self) -> bool:
-        """True where the state is that in which the last step ended; a written one counts as the force that would have caused it."""
-        if (self._position == self._end_position).all() and (self._velocity == self._end_velocity).all():
-            return True
+    def continues(self) -> bool:
+        """True where the state is that in which the last step ended."""
+        return bool((self._position == self._end_position).all() and (self._velocity == self._end_velocity).all())
+
+    def take_back(self, body: BodyDynamics) -> None:
+        """Put one character back to where the last step ended."""
+        self._position[body.coordinates] = self._end_position[body.coordinates]
+        self._velocity[body.dofs] = self._end_velocity[body.dofs]
+
+    def record_written_state(self) -> None:
+        """A state that somebody wrote counts as the force that would have caused it."""
         data, h = self._data, self._model.opt.timestep
         jump = np.empty(self._model.nv)
         mj.mj_differentiatePos(self._model, jump, h * h, self._end_position, self._position)
@@ -65,7 +72,6 @@ class HonestyMeter:
         mj.mj_forward(self._model, data)
         self._record(self._through_mass(jump))
         self.accept_state()
-        return False
 
     def after_step(self, pushes: Sequence[Push]) -> None:
         """Take the step's balance. The data still holds M, c and contacts of its start."""

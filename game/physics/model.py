@@ -38,7 +38,13 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
     if integrator == "explicit":
         spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_EULERDAMP
     spec.worldbody.add_geom(
-        name="floor", type=mj.mjtGeom.mjGEOM_PLANE, size=[20, 20, 1], friction=[friction, 0.005, 0.0001], contype=FLOOR_BIT, conaffinity=0, solref=SOLREF
+        name="floor",
+        type=mj.mjtGeom.mjGEOM_PLANE,
+        size=[20, 20, 1],
+        friction=[friction, 0.005, 0.0001],
+        contype=FLOOR_BIT,
+        conaffinity=0,
+        solref=SOLREF,
     )
     for index, plan in enumerate(plans):
         _add_character(spec, plan, index, len(plans), friction, self_collision)

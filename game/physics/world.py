@@ -97,6 +97,8 @@ class World:
         """State a push: `force` (3,) N in the world at the centre of part `part`, for `steps` steps from now on."""
         body = self.characters[index].root_body + part
         force = np.asarray(force, dtype=np.float64)
+        if force.shape != (3,) or not np.isfinite(force).all():
+            raise ValueError(f"a push must be three finite numbers of newtons, not {force}.")
         self._pushes.append((self.step_count + steps, Push(index, body, force, np.zeros(3))))
         row = {"step": self.step_count, "character": index, "part": PARTS[part], "force_n": force.tolist(), "steps": steps}
         self.stated_pushes.append(row)
@@ -105,18 +107,22 @@ class World:
         """Advance by one physics step."""
         data = self.data
         self._set_friction()
-        if not self.meter.before_step():
+        if not self.meter.continues():
             self._mend(unsound_characters(self.characters, self._position, self._velocity))
-        self.ring.push()
+            self.meter.record_written_state()
         pushes = self._apply_pushes()
+        # after the pushes: a repeated step is to feel them too
+        self.ring.push()
         self.actuation.apply()
         mj.mj_step(self.model, data)
         failed = unsound_characters(self.characters, self._position, self._velocity)
-        if failed:
-            self._repeat(failed)
+        moved = not failed or self._repeat(failed)
         self.actuation.settle()
         np.maximum(self.peak_torque, np.abs(self.actuation.torque), out=self.peak_torque)
-        self.meter.after_step(pushes)
+        if moved:
+            self.meter.after_step(pushes)
+        else:
+            self.meter.accept_state()
         self.step_count += 1
         self._digest.update(self._position)
         self._digest.update(self._velocity)
@@ -157,33 +163,34 @@ class World:
             self.faults.append(f"step {self.step_count}: character {index} goes limp, {what}")
 
     def _mend(self, broken: list[int]) -> None:
-        """A state that was no state at the start of a step: those characters go back to the last sound one, at rest and limp."""
-        if not broken or len(self.ring) == 0:
-            return
-        size = self.model.nq
-        last = self.ring.state(0)
+        """A state that somebody wrote and that is none: those characters go on, limp, from where the last step ended."""
         for index in broken:
-            body = self.characters[index]
-            self._fault(index, "its state was not finite; it goes on from the last sound one")
-            # mjSTATE_INTEGRATION begins with time, then qpos, then qvel
-            self.data.qpos[body.coordinates] = last[1:][body.coordinates]
-            self.data.qvel[body.dofs] = last[1 + size :][body.dofs]
-            self.data.qacc_warmstart[body.dofs] = 0.0
+            self._fault(index, "its state was not finite or out of all bounds; it goes on from the last sound one")
+            self.meter.take_back(self.characters[index])
             self.actuation.relax(index)
-        self.meter.accept_state()
 
-    def _repeat(self, failed: list[int]) -> None:
-        """Roll the step back and take it again with the offenders limp; if that fails too, they keep still for this step."""
+    def _repeat(self, failed: list[int]) -> bool:
+        """Roll the step back and take it again with the offenders limp, then at rest too; False where they could only be kept still."""
         for index in failed:
             self._fault(index, "its step failed and was repeated")
             self.actuation.relax(index)
+        limp_failed = self._take_again([])
+        if not limp_failed:
+            return True
+        still_failing = self._take_again(limp_failed)
+        for index in still_failing:
+            body = self.characters[index]
+            self.meter.take_back(body)
+            self.data.qacc_warmstart[body.dofs] = 0.0
+        return not still_failing
+
+    def _take_again(self, at_rest: list[int]) -> list[int]:
+        """The last step once more, some characters from rest; whom it fails for."""
         self.ring.restore()
+        for index in at_rest:
+            self.actuation.relax(index)
+            self._velocity[self.characters[index].dofs] = 0.0
+        self.meter.accept_state()
         self.actuation.apply()
         mj.mj_step(self.model, self.data)
-        again = unsound_characters(self.characters, self.data.qpos, self.data.qvel)
-        if again:
-            self.ring.restore()
-            for index in again:
-                self.data.qvel[self.characters[index].dofs] = 0.0
-            self.meter.accept_state()
-            mj.mj_step(self.model, self.data)
+        return unsound_characters(self.characters, self._position, self._velocity)
