@@ -6,6 +6,8 @@ from pathlib import Path
 from game.app import Options, play
 from game.commands import BadInput
 from game.commands.casting import Casting
+from game.commands.output_file import check_output_file
+from game.render.capture import VideoError
 from game.render.gl_window import NoPicture
 from game.scenes.registry import SCENES, PlayableScene
 from game.tunables import Settings
@@ -45,6 +47,8 @@ def draw(
     if announce:
         video = video or OUTPUT / "topple.mp4"
         picture = picture or OUTPUT / "topple.png"
+        for option, path in (("--video", video), ("--picture", picture)):
+            check_output_file(option, path)
         print(f"topple: no display here, so {casting.spec} is drawn off-screen into {video} and {picture}.")
     stage = Stage(casting, scene)
     options = Options(
@@ -62,7 +66,7 @@ def draw(
     )
     try:
         report = play(scene, settings, options, controls=casting, on_request=stage.request)
-    except NoPicture as fault:
+    except (NoPicture, VideoError) as fault:
         raise BadInput(str(fault)) from fault
     for path in report.files:
         print(f"topple: wrote {path}")

@@ -1,17 +1,16 @@
 """Play Topple: in a window, headless into files, or without any picture."""
 
 import argparse
-import json
 import sys
 from pathlib import Path
 
 from game.commands import DONE, BadInput
 from game.commands.casting import Casting
+from game.commands.output_file import check_output_file, write_report
 from game.presets import PRESETS, apply_preset
 from game.scenes.fighter import NoBodyError
 from game.tunables import TUNABLES, Settings, TunableError
 from game.undrawn import run_undrawn
-
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,9 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
     size = parse_size(arguments.size)
     if arguments.seconds is not None and not 0.0 < arguments.seconds <= 86400.0:
         raise BadInput(f"--seconds must lie between 0 and 86400, not {arguments.seconds:g}.")
-    for path in (arguments.report, arguments.picture, arguments.video):
-        if path is not None and path.is_dir():
-            raise BadInput(f"{path} is a folder; give a file name.")
+    check_outputs(arguments)
     headless = not arguments.no_draw and (arguments.headless or not has_display())
     announce = headless and not arguments.headless
     if announce and arguments.input == "auto":
@@ -70,6 +67,21 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.no_draw or headless:
         print(summary(report))
     return DONE
+
+
+def check_outputs(arguments: argparse.Namespace) -> None:
+    """Raises BadInput where the seed is not valid, or a file asked for cannot be written or will not come to be."""
+    if arguments.seed < 0:
+        raise BadInput(f"--seed must be a whole number from 0, not {arguments.seed}.")
+    if arguments.no_draw and (arguments.picture or arguments.video):
+        raise BadInput("--no-draw makes no picture; leave it out, or leave out --picture and --video.")
+    for option, path, suffixes in (
+        ("--report", arguments.report, ()),
+        ("--picture", arguments.picture, (".png",)),
+        ("--video", arguments.video, (".mp4",)),
+    ):
+        if path is not None:
+            check_output_file(option, path, suffixes)
 
 
 def settings_from(arguments: argparse.Namespace) -> Settings:
@@ -119,14 +131,6 @@ def tunable_list() -> str:
         valid = "|".join(t.choices) if t.choices else "on|off" if isinstance(t.default, bool) else f"{t.low:g}..{t.high:g}"
         lines.append(f"{t.name} = {t.default!s:<10} [{valid}{' ' + t.unit if t.unit else ''}]  {t.meaning}")
     return "\n".join(lines)
-
-
-def write_report(path: Path, report: dict[str, object]) -> None:
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
-    except OSError as fault:
-        raise BadInput(f"the report {path} cannot be written ({fault.strerror or fault}); give a file in a writable folder.") from fault
 
 
 def summary(report: dict[str, object]) -> str:
