@@ -24,7 +24,8 @@ def main(arguments: list[str]) -> int:
         if subprocess.run([sys.executable, "-m", *command], cwd=ROOT, env=environment).returncode != 0:
             red.append(name)
     print("check: pytest", flush=True)
-    tests = subprocess.run([sys.executable, "-m", "pytest", "-n", "2", "--dist", "loadfile", *arguments], cwd=ROOT, env=environment).returncode
+    pytest = [sys.executable, "-m", "pytest", "-n", "2", "--dist", "loadfile", *arguments]
+    tests = subprocess.run(pytest, cwd=ROOT, env=environment).returncode
     if red:
         print(f"check: not green before the tests: {', '.join(red)}", flush=True)
     return tests or int(bool(red))
