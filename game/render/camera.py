@@ -109,7 +109,8 @@ class Camera:
         s = t * t * (3.0 - 2.0 * t)
         a, b = self._from, self._to
         x, y, z = (p + s * (q - p) for p, q in zip(a.target, b.target, strict=True))
-        mixed = (p + s * (q - p) for p, q in ((a.azimuth, b.azimuth), (a.height, b.height), (a.distance, b.distance), (a.fov_deg, b.fov_deg)))
+        pairs = ((a.azimuth, b.azimuth), (a.height, b.height), (a.distance, b.distance), (a.fov_deg, b.fov_deg))
+        mixed = (p + s * (q - p) for p, q in pairs)
         azimuth, height, distance, fov = mixed
         self._now = _Place((x, y, z), azimuth, height, distance, fov)
         if t >= 1.0:

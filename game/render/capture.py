@@ -48,14 +48,18 @@ class VideoWriter:
         self._size = (size[0] // 2 * 2, size[1] // 2 * 2)
         if min(self._size) < 2:
             raise VideoError(f"{self.path}: a video needs pictures of at least 2 x 2 pixels, not {size[0]} x {size[1]}.")
+        self._container: Any
         self._container, self._stream, self.codec = self._open(fps)
         self.frames = 0
 
     def _open(self, fps: float) -> tuple[Any, Any, str]:
         try:
             import av
+            from av.error import FFmpegError
         except ImportError as missing:
-            raise VideoError(f"{self.path}: no video can be written because PyAV cannot be loaded ({missing}); pip install av.") from missing
+            raise VideoError(
+                f"{self.path}: no video can be written because PyAV cannot be loaded ({missing}); pip install av."
+            ) from missing
         codec = next((name for name in ("libx264", "mpeg4") if name in av.codecs_available), None)
         if codec is None:
             raise VideoError(f"{self.path}: this build of FFmpeg encodes neither H.264 nor MPEG-4.")
@@ -63,7 +67,7 @@ class VideoWriter:
             self.path.parent.mkdir(parents=True, exist_ok=True)
             container = av.open(str(self.path), "w", format="mp4")
             stream: Any = container.add_stream(codec, rate=Fraction(fps).limit_denominator(1001))
-        except (OSError, av.FFmpegError) as broken:
+        except (OSError, FFmpegError) as broken:
             raise VideoError(f"{self.path}: the video cannot be opened for writing ({broken}).") from broken
         stream.width, stream.height = self._size
         stream.pix_fmt = "yuv420p"
@@ -75,14 +79,15 @@ class VideoWriter:
 
     def add(self, pixels: Pixels) -> None:
         """Append one picture (height, width, 3), top row first."""
-        import av
+        from av import VideoFrame
+        from av.error import FFmpegError
 
         width, height = self._size
         try:
-            frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(pixels[:height, :width]), format="rgb24")
+            frame = VideoFrame.from_ndarray(np.ascontiguousarray(pixels[:height, :width]), format="rgb24")
             for packet in self._stream.encode(frame):
                 self._container.mux(packet)
-        except (OSError, av.FFmpegError) as broken:
+        except (OSError, FFmpegError) as broken:
             raise VideoError(f"{self.path}: the video cannot be written ({broken}).") from broken
         self.frames += 1
 

@@ -1,5 +1,7 @@
 """From linear light to the screen: glow, exposure, film curve, saturation, vignette, sRGB."""
 
+from typing import Any
+
 import moderngl
 
 from game.render.shader_source import assign, compile_program
@@ -29,17 +31,19 @@ class Finish:
             u_glow_strength=number("picture.glow"),
         )
 
-    def draw(self, picture: moderngl.Texture, glow: tuple[moderngl.Framebuffer, ...], target: moderngl.Framebuffer, size: tuple[int, int]) -> None:
+    def draw(
+        self, picture: moderngl.Texture, glow: tuple[moderngl.Framebuffer, ...], target: moderngl.Framebuffer, size: tuple[int, int]
+    ) -> None:
         """Write the picture (linear) to the target (sRGB) of (width, height) pixels."""
         self._ctx.enable_only(moderngl.NOTHING)
-        last = picture
+        last: Any = picture
         if self._blur is not None and self._blur_canvas is not None:
             for frame in glow:
                 frame.use()
                 last.use(0)
                 assign(self._blur, u_picture=0, u_step=(1.0 / frame.size[0], 1.0 / frame.size[1]))
                 self._blur_canvas.render(moderngl.TRIANGLES, vertices=3)
-                last = frame.color_attachments[0]  # type: ignore[assignment]
+                last = frame.color_attachments[0]
         target.use()
         target.viewport = (0, 0, *size)
         picture.use(0)

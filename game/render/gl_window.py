@@ -128,7 +128,8 @@ def _open_osmesa(width: int, height: int) -> GLWindow:
         memory = OSMesaContext(width, height)
     except OSMesaMissing as missing:
         raise NoPicture(str(missing)) from None
-    ctx = moderngl.create_context(require=330, context=memory)
+    foreign: Any = memory
+    ctx = moderngl.create_context(require=330, context=foreign)
     return GLWindow(ctx, "osmesa", memory=memory)
 
 
@@ -181,7 +182,7 @@ def _import_glfw() -> Any:
     library = getattr(glfw, "_glfw", None)
     loaded = getattr(library, "_name", None)
     if wanted and loaded is not None and os.path.realpath(loaded) != os.path.realpath(wanted):
-        raise NoPicture("glfw was imported before game and brought its own GLFW, which knows no picture without a display; import game first.")
+        raise NoPicture("glfw was imported before game and brought a GLFW that cannot draw without a display; import game first.")
     return glfw
 
 

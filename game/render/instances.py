@@ -101,7 +101,8 @@ class Packed:
 
 def pack(layers: tuple[Layer, ...]) -> Packed:
     """Rows of all drawables of the layers; labels belong to the overlay and are passed over."""
-    bins: dict[str, list[Rows]] = {name: [] for name in ("edged", "edged_more", "round", "round_more", "ghosts", "strokes", "strokes_on_top")}
+    names = ("edged", "edged_more", "round", "round_more", "ghosts", "strokes", "strokes_on_top")
+    bins: dict[str, list[Rows]] = {name: [] for name in names}
     for layer in layers:
         for item in layer.drawables:
             _sort_in(item, layer.opacity, bins)

@@ -62,7 +62,7 @@ def find_lamps(rows: Rows, brightness: float, count: int) -> tuple[list[tuple[fl
     power = _power(rows)
     for row in np.argsort(-power, kind="stable")[:count]:
         places.append((*map(float, rows[row, 0:3]), float(power[row] / rows[row, 16]) + 0.02))
-        colours.append(tuple(float(v) * float(power[row]) * 3.0 * brightness for v in rows[row, 12:15]))
+        colours.append(tuple(float(v) * float(power[row]) * 4.0 * brightness for v in rows[row, 12:15]))
     missing = count - len(places)
     return places + [(0.0, 0.0, -50.0, 1.0)] * missing, colours + [(0.0, 0.0, 0.0)] * missing
 

@@ -3,6 +3,7 @@
 import moderngl
 
 from game.drawables import MATERIALS
+from game.render.quality import draws_in_software
 from game.render.shader_source import assign, compile_program
 
 
@@ -18,7 +19,7 @@ def paint_materials(ctx: moderngl.Context, size: int, anisotropy: float) -> mode
     sheets = ctx.texture_array((size, size, len(MATERIALS)), 4, data=wall.read(components=4))
     sheets.filter = (moderngl.LINEAR_MIPMAP_LINEAR if anisotropy > 1.0 else moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR)
     sheets.build_mipmaps()
-    in_software = any(name in ctx.info["GL_RENDERER"].lower() for name in ("llvmpipe", "softpipe", "swrast"))
+    in_software = draws_in_software(ctx.info["GL_RENDERER"])
     sheets.anisotropy = 1.0 if in_software else min(anisotropy, ctx.max_anisotropy)  # in software it costs seconds a picture
     ctx.screen.use()  # a framebuffer in use must not be released: moderngl would bind it again
     for used in (canvas, wall, program):

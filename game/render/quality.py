@@ -33,6 +33,16 @@ QUALITIES: Mapping[str, Quality] = {
 }
 
 
+def draws_in_software(renderer_name: str) -> bool:
+    """Whether OpenGL's GL_RENDERER is one of Mesa's that draw on the processor."""
+    return any(name in renderer_name.lower() for name in ("llvmpipe", "softpipe", "swrast"))
+
+
+def usual_quality(renderer_name: str) -> str:
+    """What to draw with where nobody chose: high on a graphics card, low where the processor has to do it all."""
+    return "low" if draws_in_software(renderer_name) else "high"
+
+
 def quality_named(name: str) -> Quality:
     """The preset; raises ValueError naming the valid ones."""
     if name not in QUALITIES:

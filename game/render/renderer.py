@@ -81,16 +81,18 @@ class Renderer:
         if len(moving.ghosts):
             self._ghosts = self._ghosts or Ghosts(self.ctx)
             self._ghosts.draw(moving.ghosts, matrix, camera.eye, targets.canvas)
-        for rows, on_top in ((self._fixed.strokes, False), (moving.strokes, False), (self._fixed.strokes_on_top, True), (moving.strokes_on_top, True)):
-            if len(rows):
-                self._strokes = self._strokes or Strokes(self.ctx)
-                self._strokes.draw(rows, matrix, size, targets.canvas, on_top)
+        for packed in (self._fixed, moving):
+            for rows, on_top in ((packed.strokes, False), (packed.strokes_on_top, True)):
+                if len(rows):
+                    self._strokes = self._strokes or Strokes(self.ctx)
+                    self._strokes.draw(rows, matrix, size, targets.canvas, on_top)
         targets.resolve()
         self._finish.draw(targets.picture, targets.glow, framebuffer, size)
 
     def release(self) -> None:
         """Give everything back to the driver."""
-        for held in (self._solids, self._ghosts, self._strokes, self._materials, self._shadow, self._contact, self._occlusion, self._finish, self._targets):
+        passes = (self._solids, self._ghosts, self._strokes, self._shadow, self._contact, self._occlusion, self._finish, self._targets)
+        for held in (*passes, self._materials):
             if held is not None:
                 held.release()
 

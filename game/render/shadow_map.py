@@ -21,9 +21,9 @@ class ShadowMap:
         for frame in (self._frame, self._fixed):
             frame.color_mask = (False, False, False, False)
             frame.viewport = (1, 1, size - 2, size - 2)  # the rim stays empty: what lies outside the map is lit
-        edge = {"repeat_x": False, "repeat_y": False}
-        self.comparing = ctx.sampler(**edge, filter=(moderngl.LINEAR, moderngl.LINEAR), compare_func="<=")
-        self.plain = ctx.sampler(**edge, filter=(moderngl.NEAREST, moderngl.NEAREST))
+        linear, nearest = (moderngl.LINEAR, moderngl.LINEAR), (moderngl.NEAREST, moderngl.NEAREST)
+        self.comparing = ctx.sampler(repeat_x=False, repeat_y=False, filter=linear, compare_func="<=")
+        self.plain = ctx.sampler(repeat_x=False, repeat_y=False, filter=nearest)
         self.texel = 1.0 / size
 
     def draw_fixed(self, batches: Iterable[Batch], program: moderngl.Program, matrix: Matrix) -> None:

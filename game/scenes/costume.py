@@ -20,7 +20,7 @@ _SURFACES: dict[Surface, tuple[float, float, float]] = {
     "shell": (0.016, 0.42, 0.0),
     "soft": (0.006, 0.75, 0.0),
     "gloss": (0.012, 0.14, 0.0),
-    "glow": (0.006, 0.4, 4.5),
+    "glow": (0.006, 0.4, 2.4),
 }
 """Bevel (m), roughness and emission of each kind of trim."""
 _BODY_BEVEL_M, _BODY_ROUGHNESS = 0.022, 0.48
@@ -133,7 +133,9 @@ def _tailor(key: _Key, index: int) -> _Tailored:
 def _cut(trims: Sequence[Trim], half: Floats) -> _Trimmings:
     trims = [trim for surface in _SURFACES for trim in trims if trim.surface == surface]
     surfaces = [trim.surface for trim in trims]
-    slices = [(s, slice(surfaces.index(s), surfaces.index(s) + surfaces.count(s))) for s in _SURFACES if s in surfaces]
+    slices: list[tuple[Surface, slice]] = [
+        (s, slice(surfaces.index(s), surfaces.index(s) + surfaces.count(s))) for s in _SURFACES if s in surfaces
+    ]
     part = np.array([PARTS.index(trim.part) for trim in trims])
     tilt = np.radians([trim.tilt_deg for trim in trims]) / 2.0
     turn = np.zeros((len(trims), 4))

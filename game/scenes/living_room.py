@@ -25,6 +25,7 @@ def living_room() -> tuple[Layer, ...]:
     television.television(room)
     _left_about(room)
     shelves.wall_pictures(room)
+    shelves.side_wall(room)
     daylight.window(room)
     daylight.string_lights(room)
     television.front_wall(room)

@@ -47,5 +47,6 @@ def test_importing_game_loads_no_graphics() -> None:
 
 
 def test_the_room_loads_no_graphics() -> None:
-    done = python("import sys, game.scenes.living_room, game.render.camera; print([n for n in ('glfw', 'moderngl', 'mujoco') if n in sys.modules])")
+    code = "import sys, game.scenes.living_room, game.render.camera; print([n for n in ('glfw', 'moderngl', 'mujoco') if n in sys.modules])"
+    done = python(code)
     assert done.stdout.strip() == "[]"

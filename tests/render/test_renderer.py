@@ -15,7 +15,9 @@ _UPRIGHT = np.array([[1.0, 0.0, 0.0, 0.0]])
 _WHITE = np.ones((1, 4))
 
 
-def box(centre: tuple[float, float, float], half: tuple[float, float, float], colour: tuple[float, float, float] = (0.6, 0.6, 0.6), **more) -> Boxes:
+def box(
+    centre: tuple[float, float, float], half: tuple[float, float, float], colour: tuple[float, float, float] = (0.6, 0.6, 0.6), **more
+) -> Boxes:
     return Boxes(np.array([centre]), _UPRIGHT, np.array([half]), np.array([[*colour, 1.0]]), **more)
 
 

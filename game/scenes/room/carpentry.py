@@ -65,7 +65,9 @@ class Carpentry:
         half = (size[0] / 2.0, size[1] / 2.0, size[2] / 2.0)
         self._boxes.setdefault(finish, []).append((centre, turn, half, paint(colour)))
 
-    def rod(self, start: Place, end: Place, radius: float, colour: str, roughness: float = 0.5, emission: float = 0.0, shadow: bool = True) -> None:
+    def rod(
+        self, start: Place, end: Place, radius: float, colour: str, roughness: float = 0.5, emission: float = 0.0, shadow: bool = True
+    ) -> None:
         """A round bar; from a place to itself it is a ball."""
         self._rods.setdefault((roughness, emission, shadow), []).append((start, end, radius, paint(colour)))
 

@@ -1,12 +1,13 @@
 """The window on the character's left with its curtains, the floor lamp, and a string of small lights."""
 
 import math
+from itertools import pairwise
 
 from game.scenes.room.carpentry import METAL, PAINTED, Carpentry, Finish
 from game.scenes.room.walls import SIDE_Y
 
 _PANE = Finish(0.0, 0.2, emission=2.2, material="outdoors", casts_shadow=False)
-_SHADE = Finish(0.05, 0.9, emission=5.0, casts_shadow=False)
+_SHADE = Finish(0.05, 0.9, emission=2.6, casts_shadow=False)
 
 
 def window(room: Carpentry, x: float = -0.9, width: float = 1.9, low: float = 0.75, high: float = 2.25) -> None:
@@ -27,7 +28,8 @@ def window(room: Carpentry, x: float = -0.9, width: float = 1.9, low: float = 0.
 def _curtain(room: Carpentry, x: float, y: float) -> None:
     for fold in range(7):
         at = x + (fold - 3) * 0.085
-        room.rod((at, y + 0.022 * (-1) ** fold, 0.06), (at, y + 0.022 * (-1) ** fold, 2.36), 0.05, "#d8b98a" if fold % 2 else "#cfae7d", 1.0)
+        depth = y + (0.022 if fold % 2 else -0.022)
+        room.rod((at, depth, 0.06), (at, depth, 2.36), 0.05, "#d8b98a" if fold % 2 else "#cfae7d", 1.0)
 
 
 def _sill(room: Carpentry, x: float, y: float, z: float) -> None:
@@ -43,7 +45,7 @@ def floor_lamp(room: Carpentry, x: float = -2.75, y: float = 1.36) -> None:
     """Beside the sofa; its shade is what lights the evening side of the room."""
     room.box((x, y, 0.015), (0.30, 0.30, 0.03), "#2b2622", Finish(0.014, 0.4))
     room.rod((x, y, 0.03), (x, y, 1.46), 0.012, "#b99a5b", 0.25)
-    room.box((x, y, 1.56), (0.34, 0.34, 0.30), "#ffc27a", _SHADE)
+    room.box((x, y, 1.56), (0.34, 0.34, 0.30), "#ffb464", _SHADE)
     room.box((x, y, 1.405), (0.35, 0.35, 0.012), "#b99a5b", METAL)
     room.box((x, y, 1.715), (0.35, 0.35, 0.012), "#b99a5b", METAL)
 
@@ -56,7 +58,8 @@ def string_lights(room: Carpentry, x: float = -3.25, span: float = 5.9, swags: i
         t = i / count
         drop = 0.14 * abs(math.sin(math.pi * swags * t))
         places.append((x, (t - 0.5) * span, 2.52 - drop))
-    for a, b in zip(places, places[1:], strict=False):
+    for a, b in pairwise(places):
         room.rod(a, b, 0.004, "#2b2622", 0.8, shadow=False)
     for place in places[1:-1]:
-        room.rod((place[0] + 0.01, place[1], place[2] - 0.03), (place[0] + 0.01, place[1], place[2] - 0.04), 0.017, "#ffd08a", 0.5, 7.0, shadow=False)
+        bulb = (place[0] + 0.01, place[1], place[2] - 0.035)
+        room.rod(bulb, bulb, 0.018, "#ffb45c", 0.5, 3.2, shadow=False)

@@ -37,7 +37,8 @@ def grass_plant(room: Carpentry, x: float, y: float, z: float = 0.0, blades: int
     for i in range(blades):
         around = math.radians(i * _GOLDEN_DEG)
         out = (0.35 + 0.65 * ((i * 7) % blades) / blades) * length * 0.55
-        low, middle = (x, y, z + 0.24), (x + 0.4 * out * math.cos(around), y + 0.4 * out * math.sin(around), z + 0.24 + 0.75 * (length - 0.3 * out))
+        low = (x, y, z + 0.24)
+        middle = (x + 0.4 * out * math.cos(around), y + 0.4 * out * math.sin(around), z + 0.24 + 0.75 * (length - 0.3 * out))
         tip = (x + out * math.cos(around), y + out * math.sin(around), middle[2] + 0.06 - 0.35 * out)
         room.rod(low, middle, 0.009, _GREENS[i % 4], 0.7)
         room.rod(middle, tip, 0.007, _GREENS[(i + 1) % 4], 0.7)

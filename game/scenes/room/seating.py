@@ -1,6 +1,7 @@
 """The sofa with its cushions, a blanket and the cat; the coffee table that was pushed aside to make room for the game."""
 
 import math
+from itertools import pairwise
 
 from game.scenes.room.carpentry import CLOTH, PAINTED, WOOD, Carpentry, Finish, compose, turn_about, yaw
 
@@ -39,11 +40,12 @@ def _blanket(room: Carpentry, x: float, y: float) -> None:
 def _cat(room: Carpentry, x: float, y: float, z: float) -> None:
     """Asleep, curled up; nothing a falling biped does wakes it."""
     ring = [(x + 0.11 * math.cos(a), y + 0.13 * math.sin(a), z + 0.05) for a in (0.4, 1.2, 2.0, 2.8, 3.6, 4.4)]
-    for i, (a, b) in enumerate(zip(ring, ring[1:], strict=False)):
+    for i, (a, b) in enumerate(pairwise(ring)):
         room.rod(a, b, 0.088 - 0.004 * i, _CAT, 0.95)
     room.rod((x + 0.13, y - 0.06, z + 0.08), (x + 0.15, y - 0.08, z + 0.085), 0.066, _CAT, 0.95)
     for side in (-1.0, 1.0):
-        room.box((x + 0.14 + 0.02 * side, y - 0.075 + 0.035 * side, z + 0.15), (0.02, 0.04, 0.05), "#b96f33", PAINTED, turn_about((1.0, 0.0, 0.0), 25.0 * side))
+        ear = (x + 0.14 + 0.02 * side, y - 0.075 + 0.035 * side, z + 0.15)
+        room.box(ear, (0.02, 0.04, 0.05), "#b96f33", PAINTED, turn_about((1.0, 0.0, 0.0), 25.0 * side))
     room.rod((x - 0.02, y - 0.14, z + 0.02), (x + 0.10, y - 0.17, z + 0.02), 0.024, "#b96f33", 0.95)
 
 
@@ -59,5 +61,5 @@ def coffee_table(room: Carpentry, x: float = -0.45, y: float = -2.35) -> None:
     room.rod((x + 0.22, y - 0.08, 0.46), (x + 0.22, y - 0.08, 0.49), 0.038, "#efe6d6", 0.3)
     room.rod((x + 0.265, y - 0.08, 0.465), (x + 0.265, y - 0.08, 0.485), 0.014, "#efe6d6", 0.3)
     room.box((x + 0.1, y + 0.14, 0.435), (0.16, 0.09, 0.03), "#2b2b31", Finish(0.014, 0.5), yaw(-30.0))
-    for i in range(4):
-        room.box((x - 0.1 + 0.03 * i, y, 0.205 + 0.014 * i), (0.3, 0.22, 0.013), ("#d9a23a", "#4d7571", "#e4d3b4", "#8c3b2c")[i], PAINTED, yaw(8.0 * i))
+    for i, colour in enumerate(("#d9a23a", "#4d7571", "#e4d3b4", "#8c3b2c")):
+        room.box((x - 0.1 + 0.03 * i, y, 0.205 + 0.014 * i), (0.3, 0.22, 0.013), colour, PAINTED, yaw(8.0 * i))

@@ -34,7 +34,8 @@ def _fill(room: Carpentry, chance: random.Random, level: int, corner: tuple[floa
             continue
         thick, tall, deep = chance.uniform(0.022, 0.05), chance.uniform(0.20, 0.30), chance.uniform(0.15, 0.21)
         tilt = turn_about((1.0, 0.0, 0.0), chance.choice((0.0, 0.0, 0.0, 0.0, -7.0)))
-        room.box((x + 0.14 - deep / 2 - chance.uniform(0.0, 0.02), y + at + thick / 2, z + tall / 2), (deep, thick, tall), chance.choice(_SPINES), _BOOK, tilt)
+        place = (x + 0.14 - deep / 2 - chance.uniform(0.0, 0.02), y + at + thick / 2, z + tall / 2)
+        room.box(place, (deep, thick, tall), chance.choice(_SPINES), _BOOK, tilt)
         at += thick + (0.03 if tilt[0] < 1.0 else 0.003)
 
 
@@ -62,7 +63,24 @@ def _on_top(room: Carpentry, x: float, y: float, height: float) -> None:
     room.box((x, y + 0.18, height + 0.075), (0.15, 0.15, 0.12), "#c96f3f", Finish(0.03, 0.8))
     for i in range(9):
         way = (0.10 * ((i * 5) % 9 - 4) / 4, 0.12 * ((i * 7) % 9 - 4) / 4)
-        room.rod((x, y + 0.18, height + 0.13), (x + way[0] + 0.06, y + 0.18 + way[1], height + 0.24 + 0.012 * (i % 4)), 0.013, "#54803f", 0.8)
+        tip = (x + way[0] + 0.06, y + 0.18 + way[1], height + 0.24 + 0.012 * (i % 4))
+        room.rod((x, y + 0.18, height + 0.13), tip, 0.013, "#54803f", 0.8)
+
+
+def side_wall(room: Carpentry, y: float = -3.17) -> None:
+    """Above the coffee table: a large painting, and a board with a radio and a plant."""
+    art = Finish(0.0, 0.7, material="painting")
+    for x, z, width, height in ((-1.05, 1.62, 0.72, 0.92), (-0.2, 1.86, 0.46, 0.46)):
+        room.box((x, y, z), (width, 0.035, height), "#3a2a1c", Finish(0.006, 0.4, material="wood"))
+        room.box((x, y + 0.018, z), (width - 0.05, 0.006, height - 0.05), "#ffffff", art)
+    room.box((-0.15, y + 0.09, 1.36), (0.85, 0.2, 0.03), _CASE, WOOD)
+    room.box((-0.33, y + 0.09, 1.45), (0.30, 0.12, 0.16), "#4d7571", Finish(0.025, 0.5))
+    room.box((-0.39, y + 0.152, 1.45), (0.13, 0.01, 0.11), "#d8c6a4", Finish(0.004, 0.9, material="fabric"))
+    room.rod((-0.25, y + 0.15, 1.45), (-0.25, y + 0.16, 1.45), 0.024, "#e0b34c", 0.3)
+    room.box((0.12, y + 0.10, 1.43), (0.12, 0.12, 0.11), "#e4d3b4", Finish(0.028, 0.7))
+    for i in range(8):
+        away = (0.06 * ((i * 5) % 8 - 3.5) / 3.5, 0.03 + 0.04 * ((i * 3) % 8) / 8)
+        room.rod((0.12, y + 0.10, 1.47), (0.12 + away[0] * 2.2, y + 0.10 + away[1], 1.60 - 0.05 * (i % 4)), 0.012, "#4f8040", 0.8)
 
 
 def wall_pictures(room: Carpentry, x: float = -3.27) -> None:

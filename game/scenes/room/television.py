@@ -56,7 +56,8 @@ def front_wall(room: Carpentry) -> None:
         room.box((x - 0.018, y, z), (0.006, width - 0.05, height - 0.05), "#ffffff", Finish(0.0, 0.7, material="painting"))
     for z, width in ((1.75, 1.3), (2.1, 0.9)):
         room.box((x - 0.09, 0.0, z), (0.2, width, 0.03), "#b07c48", WOOD)
-    for i, (y, tall, colour) in enumerate(((-0.5, 0.24, "#8c3b2c"), (-0.45, 0.2, "#e4d3b4"), (-0.4, 0.26, "#3c6f7d"), (-0.35, 0.22, "#d9a23a"))):
+    books = ((-0.5, 0.24, "#8c3b2c"), (-0.45, 0.2, "#e4d3b4"), (-0.4, 0.26, "#3c6f7d"), (-0.35, 0.22, "#d9a23a"))
+    for i, (y, tall, colour) in enumerate(books):
         room.box((x - 0.09, y, 1.765 + tall / 2), (0.17, 0.04 - 0.004 * (i % 2), tall), colour, PAINTED)
     room.rod((x - 0.09, 0.1, 1.83), (x - 0.09, 0.1, 1.86), 0.06, "#c96f3f", 0.5)
     room.box((x - 0.09, 0.45, 1.83), (0.12, 0.14, 0.13), "#4d7571", Finish(0.03, 0.6))
