@@ -9,7 +9,7 @@ from game.render.shader_source import compile_program
 
 
 class Solids:
-    """One instanced draw call a kind and pass. `batches` lists what moves first: what it hides need not be shaded."""
+    """One instanced draw call a kind and pass. `batches` lists what moves first and the walls last: what is hidden need not be shaded."""
 
     def __init__(self, ctx: moderngl.Context, quality: Quality) -> None:
         options = {
@@ -26,7 +26,7 @@ class Solids:
         self._meshes = {name: upload_mesh(ctx, count) for name, count in segments.items()}
         self.moving = (self._batch(ctx, "edged", "cube"), self._batch(ctx, "round", "ball"))
         self.fixed = (self._batch(ctx, "edged", "cube"), self._batch(ctx, "round", "ball"))
-        self.batches = (*self.moving, *self.fixed)
+        self.batches = (*self.moving, *reversed(self.fixed))
 
     def _batch(self, ctx: moderngl.Context, seen: str, hull: str) -> Batch:
         draws = {"surface": (self.surface, self._meshes[seen]), "depth": (self.depth, self._meshes[hull]), "contact": (self.contact, None)}

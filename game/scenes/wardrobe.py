@@ -57,7 +57,7 @@ def _shoes(shoe: str, sole: str, lace: str) -> tuple[Trim, ...]:
     )
 
 
-_CREAM, _ORANGE, _TEAL, _DEEP_TEAL, _NIGHT = "#f3e4c8", "#e8622a", "#1f9e96", "#17494f", "#1d2026"
+_CREAM, _ORANGE, _TEAL, _DEEP_TEAL, _NIGHT = "#f3e4c8", "#e8622a", "#1f9e96", "#1c646a", "#1d2026"
 
 PLAYER = Costume(
     {

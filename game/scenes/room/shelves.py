@@ -85,6 +85,6 @@ def side_wall(room: Carpentry, y: float = -3.17) -> None:
 
 def wall_pictures(room: Carpentry, x: float = -3.27) -> None:
     """Three paintings above the sofa."""
-    for y, z, width, height in ((-1.62, 1.70, 0.50, 0.64), (-0.98, 1.64, 0.54, 0.54), (0.42, 1.70, 0.56, 0.72)):
+    for y, z, width, height in ((-1.62, 1.70, 0.50, 0.64), (-0.98, 1.64, 0.54, 0.54), (0.55, 1.75, 0.56, 0.72)):
         room.box((x, y, z), (0.035, width, height), "#3a2a1c", Finish(0.006, 0.4, material="wood"))
         room.box((x + 0.018, y, z), (0.006, width - 0.05, height - 0.05), "#ffffff", Finish(0.0, 0.7, material="painting"))
