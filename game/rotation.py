@@ -128,6 +128,15 @@ def between(a: Floats, b: Floats) -> Floats:
     return normalise(q)
 
 
+def swing_matrix(a: Floats, b: Floats) -> Floats:
+    """The matrix (..., 3, 3) of `between(a, b)` for unit a and b: I + K + K^2 / (1 + a.b), K the cross product matrix of a x b."""
+    cosine = (a * b).sum(-1)
+    if cosine.min() < -1.0 + 1e-6:
+        return matrix(between(a, b))
+    k = (cross(a, b) @ _CROSS).reshape(*cosine.shape, 3, 3)
+    return np.eye(3) + k + (k @ k) / (1.0 + cosine)[..., None, None]
+
+
 def from_axes(y_axis: Floats, up: Floats) -> Floats:
     """The orientation (4,) whose z axis is `up` exactly and whose y axis lies nearest to `y_axis`; both (3,)."""
     z = up / math.sqrt(up @ up)

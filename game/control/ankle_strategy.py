@@ -13,7 +13,8 @@ from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
-_SHANKS = (PARTS.index("lower_leg_left"), PARTS.index("lower_leg_right"))
+_SHANKS = [PARTS.index("lower_leg_left"), PARTS.index("lower_leg_right")]
+_FEET, _ANKLES = list(FEET), list(ANKLES)
 
 
 def left_share(target_com: Floats, left_foot: Floats, right_foot: Floats, contact: tuple[bool, bool]) -> float:
@@ -61,28 +62,32 @@ class AnkleStrategy:
         kp, kd = gains(dynamics, settings.number("pd.kp_hat"), settings.choice("pd.ratio"))
         rotations = target.joint_rotation.copy()
         velocity = target.joint_velocity.copy()
-        correction = self._correction(target, dynamics)
-        clamp = settings.number("balance.ankle_clamp_rad")
-        for side, (ankle, foot, shank) in enumerate(zip(ANKLES, FEET, _SHANKS, strict=True)):
-            turn = correction if dynamics.foot_contact[side] else rotation.IDENTITY
-            turned_shank = rotation.multiply(turn, dynamics.orientation[shank])
-            flat = rotation.about_z(rotation.yaw(turned_shank))
-            wanted = rotation.multiply(rotation.conjugate(turned_shank), flat)
-            current = rotation.multiply(rotation.conjugate(dynamics.orientation[shank]), dynamics.orientation[foot])
-            error = rotation.log(rotation.multiply(rotation.conjugate(current), wanted))
-            size = float(np.sqrt(error @ error))
-            if size > clamp:
-                error = error * (clamp / size)
-            rotations[ankle] = rotation.multiply(current, rotation.exp(error))
-            velocity[3 * ankle : 3 * ankle + 3] = 0.0
+        rotations[_ANKLES] = self._ankle_targets(self._correction(target, dynamics), dynamics)
+        velocity.reshape(-1, 3)[_ANKLES] = 0.0
         feedforward = np.zeros_like(kp)
         if settings.switch("pd.gravity_feedforward"):
             feedforward = gravity_torque(dynamics, self.left_share)
         return JointCommand(rotations, velocity, kp, kd, feedforward)
 
+    def _ankle_targets(self, correction: Floats, dynamics: BodyState) -> Floats:
+        """(2, 4) ankle rotations, foot in shank: flat feet under shanks turned by `correction`, no farther than the clamp from now.
+
+        A foot in the air is only kept flat.
+        """
+        shank = dynamics.orientation[_SHANKS]
+        turn = np.array([correction if touches else rotation.IDENTITY for touches in dynamics.foot_contact])
+        turned = rotation.multiply(turn, shank)
+        flat = np.array([rotation.about_z(rotation.yaw(q)) for q in turned])
+        current = rotation.multiply(rotation.conjugate(shank), dynamics.orientation[_FEET])
+        wanted = rotation.multiply(rotation.conjugate(turned), flat)
+        error = rotation.log(rotation.multiply(rotation.conjugate(current), wanted))
+        size = np.sqrt((error * error).sum(axis=1, keepdims=True))
+        clamp = self._settings.number("balance.ankle_clamp_rad")
+        return rotation.multiply(current, rotation.exp(error * np.minimum(1.0, clamp / np.maximum(size, 1e-12))))
+
     def _correction(self, target: KinematicTarget, dynamics: BodyState) -> Floats:
         """The turn (4,) of the whole body about the COS that brings the COM to its target."""
-        feet = target.pose.joint[list(FEET)]
+        feet = target.pose.joint[_FEET]
         self.left_share = left_share(target.com, feet[0], feet[1], dynamics.foot_contact)
         w = self.left_share
         cos = w * dynamics.box_centre[FEET[0]] + (1.0 - w) * dynamics.box_centre[FEET[1]]
@@ -95,4 +100,4 @@ class AnkleStrategy:
         self.cos, self.com_target, self.target_offset = cos, cos + goal, offset
         if com[2] < 0.1 or goal[2] < 0.1:
             return rotation.IDENTITY
-        return rotation.between(com, goal)
+        return rotation.between(rotation.normalise(com), rotation.normalise(goal))

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
-from game.characters.skeleton import JOINT_COUNT, JOINTS, LEG_JOINTS
+from game.characters.skeleton import JOINTS, LEG_JOINTS
 from game.control.joint_command import BodyState
 
 Floats = NDArray[np.float64]
@@ -15,8 +15,7 @@ T0_KG_M = 10.0
 LEAST_RADIUS_SHARE = 0.3
 """An axis that points at the centre of mass (a twist) still counts this share of the distance as its radius."""
 
-_IS_LEG = np.zeros(JOINT_COUNT, dtype=bool)
-_IS_LEG[list(LEG_JOINTS)] = True
+_LEGS = list(LEG_JOINTS)
 
 _MANUAL = {
     "spine": (1.0, 1.25, 0.5),
@@ -37,18 +36,17 @@ def dynamic_ratio(state: BodyState) -> Floats:
 
     The parts an axis moves are those beyond the joint; for the legs, whose feet stand, all the rest of the body.
     """
-    mass = state.subtree_mass[1:]
+    mass = state.subtree_mass[1:].copy()
     total = state.subtree_mass[0]
-    beyond = state.subtree_com[1:]
-    rest_mass = total - mass
-    rest = (total * state.subtree_com[0] - mass[:, None] * beyond) / rest_mass[:, None]
-    affected_mass = np.where(_IS_LEG, rest_mass, mass)
-    affected = np.where(_IS_LEG[:, None], rest, beyond)
+    affected = state.subtree_com[1:].copy()
+    moment = total * state.subtree_com[0] - mass[_LEGS, None] * affected[_LEGS]
+    mass[_LEGS] = total - mass[_LEGS]
+    affected[_LEGS] = moment / mass[_LEGS, None]
     arm = rotation.turn_back(state.turn[1:], affected - state.joint[1:])
     squared = arm * arm
-    length_squared = np.sum(squared, axis=1, keepdims=True)
+    length_squared = squared.sum(axis=1, keepdims=True)
     radius = np.sqrt(np.maximum(length_squared - squared, LEAST_RADIUS_SHARE**2 * length_squared))
-    return (radius * affected_mass[:, None]).reshape(-1) / T0_KG_M
+    return (radius * mass[:, None]).reshape(-1) / T0_KG_M
 
 
 def gains(state: BodyState, kp_hat: float, ratio: str) -> tuple[Floats, Floats]:

@@ -4,14 +4,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
-from game.characters.skeleton import ANKLES, FEET, JOINT_COUNT, JOINTS
+from game.characters.skeleton import ANKLES, FEET, JOINTS
 from game.control.joint_command import BodyState
 
 Floats = NDArray[np.float64]
 
-_LEFT_LEG = [j for j, name in enumerate(JOINTS) if name in ("hip_left", "knee_left")]
-_RIGHT_LEG = [j for j, name in enumerate(JOINTS) if name in ("hip_right", "knee_right")]
+_LEG_JOINTS = [JOINTS.index(name) for name in ("hip_left", "knee_left", "hip_right", "knee_right")]
+_LEG_FEET = [FEET[0], FEET[0], FEET[1], FEET[1]]
 _ANKLES = list(ANKLES)
+
+
+def leg_moments(state: BodyState, left_force: Floats, right_force: Floats) -> Floats:
+    """(4, 3) N m about left hip, left knee, right hip, right knee of forces (3,) N that the floor puts on the feet, world frame."""
+    arm = state.box_centre[_LEG_FEET] - state.joint[1:][_LEG_JOINTS]
+    return rotation.cross(arm, np.array((left_force, left_force, right_force, right_force)))
 
 
 def gravity_torque(state: BodyState, left_share: float) -> Floats:
@@ -24,8 +30,6 @@ def gravity_torque(state: BodyState, left_share: float) -> Floats:
     joint = state.joint[1:]
     moment = rotation.cross(state.subtree_com[1:] - joint, state.subtree_mass[1:, None] * gravity)
     weight = state.subtree_mass[0] * gravity
-    for leg, foot, share in ((_LEFT_LEG, FEET[0], left_share), (_RIGHT_LEG, FEET[1], 1.0 - left_share)):
-        moment[leg] -= rotation.cross(state.box_centre[foot] - joint[leg], share * weight)
+    moment[_LEG_JOINTS] -= leg_moments(state, left_share * weight, (1.0 - left_share) * weight)
     moment[_ANKLES] = 0.0
-    assert moment.shape == (JOINT_COUNT, 3)
     return rotation.turn_back(state.turn[1:], -moment).reshape(-1)

@@ -11,16 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
-from game.characters.skeleton import FEET, JOINTS
+from game.characters.skeleton import JOINTS
 from game.control.ankle_strategy import AnkleStrategy
+from game.control.gravity_feedforward import leg_moments
 from game.control.joint_command import BodyState, JointCommand
 from game.target.kinematic_target import KinematicTarget
 from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
-_LEGS = [[JOINTS.index(f"{joint}_{side}") for joint in ("hip", "knee")] for side in ("left", "right")]
-_HIPS = [leg[0] for leg in _LEGS]
+_LEGS = [JOINTS.index(name) for name in ("hip_left", "knee_left", "hip_right", "knee_right")]
+_HIPS = [JOINTS.index("hip_left"), JOINTS.index("hip_right")]
 
 
 def leg_torque_of_force(state: BodyState, share: Floats, force: Floats) -> Floats:
@@ -29,17 +30,17 @@ def leg_torque_of_force(state: BodyState, share: Floats, force: Floats) -> Float
     The floor's reaction share * force at the foot turns the parts beyond each joint by (foot - joint) x force; the joint holds
     against it. Static: J^T F with the standing foot as the fixed end.
     """
-    moment = np.zeros((len(JOINTS), 3))
-    for leg, foot, part in zip(_LEGS, FEET, share, strict=True):
-        moment[leg] = rotation.cross(state.box_centre[foot] - state.joint[1:][leg], part * force)
-    return rotation.turn_back(state.turn[1:], -moment).reshape(-1)
+    moment = leg_moments(state, share[0] * force, share[1] * force)
+    torque = np.zeros((len(JOINTS), 3))
+    torque[_LEGS] = -rotation.turn_back(state.turn[1:][_LEGS], moment)
+    return torque.reshape(-1)
 
 
 def hip_torque_on_pelvis(state: BodyState, share: Floats, torque: Floats) -> Floats:
     """(42,) torques, child frames, of the hips that turn the pelvis with `torque` (3,) N m against the standing thighs."""
-    moment = np.zeros((len(JOINTS), 3))
-    moment[_HIPS] = share[:, None] * torque
-    return rotation.turn_back(state.turn[1:], -moment).reshape(-1)
+    hips = np.zeros((len(JOINTS), 3))
+    hips[_HIPS] = -rotation.turn_back(state.turn[1:][_HIPS], share[:, None] * torque)
+    return hips.reshape(-1)
 
 
 class VirtualActuation(AnkleStrategy):

@@ -38,10 +38,12 @@ class Plausibility:
     def _reason(self, frame: BodyFrame, jump_limit_m: float) -> str:
         if frame.positions.shape != (JOINT_COUNT, 3):
             return f"a frame has joints of shape {frame.positions.shape}, not (20, 3): the last pose is held"
+        if frame.confidence.shape != (JOINT_COUNT,):
+            return f"a frame has confidences of shape {frame.confidence.shape}, not (20,): the last pose is held"
         last = self._last
-        if last is not None and frame.time_s <= last.time_s:
+        if not np.isfinite(frame.time_s) or (last is not None and frame.time_s <= last.time_s):
             return f"a frame's time does not advance ({frame.time_s:.3f} s): it is dropped"
-        seen = np.isfinite(frame.positions).all(axis=1) & (frame.confidence > 0.0)
+        seen = np.logical_and(np.isfinite(frame.positions).all(axis=1), frame.confidence > 0.0)
         if not seen[Joint.HIP_CENTER]:
             return "the hip centre is lost: the last pose is held"
         if last is None and not seen.all():

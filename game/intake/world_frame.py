@@ -19,22 +19,21 @@ _UP = np.array([0.0, 1.0, 0.0])
 
 @dataclass(frozen=True)
 class WorldFrame:
-    """One intake frame in the world frame: time_s, joints (20, 3) m, raw (20, 3) before smoothing, heading of the frame as is."""
+    """One frame after intake, world frame: capture time_s, joints (20, 3) m, raw (20, 3) m the same before smoothing."""
 
     time_s: float
     joints: Floats
     raw: Floats
-    held: bool = False
 
 
 def level_over_floor(positions: Floats, floor: Floor) -> Floats:
     """Joints (..., 3) of a tilted sensor, turned by the smallest rotation that makes the floor's normal vertical and raised onto it.
 
-    Still the sensor's axes (x left, y up, z away), the origin on the floor under the sensor.
+    The plane need not be scaled to a unit normal. Still the sensor's axes (x left, y up, z away), the origin on the floor under the sensor.
     """
     normal = np.array([floor.a, floor.b, floor.c])
     length = float(np.sqrt(normal @ normal))
-    level = rotation.rotate(rotation.between(normal, _UP), positions)
+    level = rotation.rotate(rotation.between(normal / length, _UP), positions)
     level[..., 1] += floor.d / length
     return level
 
@@ -60,7 +59,7 @@ def floor_from_ankles(positions: Floats) -> Floor:
 
 
 class Levelling:
-    """Applies the frame's floor, or keeps the last one, or the lowest resting ankles seen so far."""
+    """Applies the frame's floor, or keeps the last one, or while there was none puts it under the lowest ankles seen so far."""
 
     def __init__(self) -> None:
         self._floor: Floor | None = None

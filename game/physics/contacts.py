@@ -1,6 +1,7 @@
 """Contact forces in world axes, from mj_contactForce alone, and between whom they act."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import mujoco as mj
 import numpy as np
@@ -44,18 +45,23 @@ class ContactForces:
 
     def on_characters(self, count: int) -> Floats:
         """(count, n) +1 where the contact's force acts on the character, -1 where its reaction does, else 0."""
-        who = self.character
-        row = np.arange(count)[:, None]
-        return (row == who[:, 1]).astype(float) - (row == who[:, 0])
+        rows = _owner_rows(count)
+        return (rows[self.body[:, 1]] - rows[self.body[:, 0]]).T
 
-    def pairs(self) -> list[tuple[int, int]]:
-        """Character indices of the partners, contact by contact."""
-        return [(a, b) for a, b in self.character.tolist()]
+    def pairs(self) -> set[tuple[int, int]]:
+        """MuJoCo body ids of the partners, each pair once."""
+        return set(zip(*self.body.T.tolist(), strict=True))
 
     def cone_excess_n(self) -> float:
         """How far the worst contact leaves the friction cone: negative normal force, or tangential force beyond mu N."""
         normal = self.wrench[:, 0]
-        return float(max((-normal).max(), (self.tangential - self.friction * normal).max()))
+        return max(-float(normal.min()), float((self.tangential - self.friction * normal).max()))
+
+
+@lru_cache
+def _owner_rows(count: int) -> Floats:
+    """(bodies, count): 1 in the column of the character that a body belongs to; the floor's row is zero."""
+    return np.vstack((np.zeros((1, count)), np.repeat(np.eye(count), PART_COUNT, axis=0)))
 
 
 def contact_forces(model: mj.MjModel, data: mj.MjData) -> ContactForces | None:

@@ -4,6 +4,7 @@ Each step, in the six rows of every root, M(q_k) (v_{k+1} - v_k) / h + c(q_k, v_
 pushes must vanish, and the step must start from the state in which the last one ended.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -12,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
+from game.characters.skeleton import PART_COUNT
 from game.physics.contacts import FLOOR, ContactForces, contact_forces
 from game.physics.dynamics import BodyDynamics
 
@@ -92,7 +94,8 @@ class HonestyMeter:
     @property
     def partners(self) -> list[str]:
         """Between whom contact forces acted since `restart`: "floor - c0", "c0 - c1"."""
-        return sorted(" - ".join("floor" if c == FLOOR else f"c{c}" for c in pair) for pair in {tuple(sorted(p)) for p in self._pairs})
+        pairs = {tuple(sorted((body - 1) // PART_COUNT for body in pair)) for pair in self._pairs}
+        return sorted(" - ".join("floor" if c == FLOOR else f"c{c}" for c in pair) for pair in pairs)
 
     def _through_mass(self, acceleration: Floats) -> Floats:
         mj.mj_mulM(self._model, self._data, self._momentum, acceleration)
@@ -103,16 +106,16 @@ class HonestyMeter:
 
         World force, and torque about the root in the root's frame, as in MuJoCo's free joint.
         """
-        out = np.empty((len(on), 6))
-        out[:, :3] = on @ force
-        about_world_origin = on @ rotation.cross(point, force)
-        about_root = about_world_origin - rotation.cross(self._data.xpos[self._root_bodies], out[:, :3])
+        wrench = np.empty((len(force), 6))
+        wrench[:, :3], wrench[:, 3:] = force, rotation.cross(point, force)
+        out = on @ wrench
+        about_root = out[:, 3:] - rotation.cross(self._data.xpos[self._root_bodies], out[:, :3])
         out[:, 3:] = rotation.turn_back(self._data.xmat[self._root_bodies].reshape(-1, 3, 3), about_root)
         return out
 
     def _record(self, residual: Floats) -> None:
         if not self.active:
             return
-        squared = residual * residual
-        np.maximum(self.unexplained_force_n, np.sqrt(squared[:, :3].sum(axis=1)), out=self.unexplained_force_n)
-        np.maximum(self.unexplained_torque_nm, np.sqrt(squared[:, 3:].sum(axis=1)), out=self.unexplained_torque_nm)
+        for row, (x, y, z, a, b, c) in enumerate(residual.tolist()):
+            self.unexplained_force_n[row] = max(self.unexplained_force_n[row], math.sqrt(x * x + y * y + z * z))
+            self.unexplained_torque_nm[row] = max(self.unexplained_torque_nm[row], math.sqrt(a * a + b * b + c * c))

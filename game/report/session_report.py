@@ -61,4 +61,10 @@ def versions() -> dict[str, str]:
         own = version("topple")
     except PackageNotFoundError:
         own = "checkout"
-    return {"topple": own, "python": platform.python_version(), "mujoco": mujoco.__version__, "numpy": np.__version__, "machine": platform.machine()}
+    return {
+        "topple": own,
+        "python": platform.python_version(),
+        "mujoco": mujoco.__version__,
+        "numpy": np.__version__,
+        "machine": platform.machine(),
+    }

@@ -26,7 +26,8 @@ class UprightClock:
             self.target_fault_frames += 1
         if self.fell_at_s is not None:
             return
-        if com_height < FALLEN_SHARE * target_com_height:
-            self.fell_at_s = time_s
-        else:
+        # asked this way round, a height that is not a number counts as fallen
+        if com_height >= FALLEN_SHARE * target_com_height:
             self.upright_s = time_s
+        else:
+            self.fell_at_s = time_s

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from game.characters.skeleton import END_EFFECTORS
+from game.characters.skeleton import END_EFFECTOR_PARTS, END_EFFECTORS
 from game.control.joint_command import BodyState
 from game.report.tracking_error import in_heading
 from game.target.kinematic_target import KinematicTarget
@@ -11,7 +11,7 @@ from game.target.kinematic_target import KinematicTarget
 Floats = NDArray[np.float64]
 
 _WRISTS = [i for i, name in enumerate(END_EFFECTORS) if name.startswith("wrist")]
-_HANDS = [5, 8]
+_HANDS = [END_EFFECTOR_PARTS[i] for i in _WRISTS]
 LONGEST_LAG_S = 0.5
 
 

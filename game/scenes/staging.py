@@ -2,20 +2,23 @@
 
 from collections.abc import Mapping
 
+from game.scenes.living_room import room_cameras
 from game.scenes.scene import CameraHint
+
+_ROOM = room_cameras()
 
 CAMERAS: Mapping[str, Mapping[str, CameraHint]] = {
     "mirror": {
-        "front": CameraHint((3.4, 0.9, 1.45), (0.0, 0.0, 0.92), 40.0),
-        "side": CameraHint((0.3, 3.4, 1.3), (0.0, 0.0, 0.9), 42.0),
-        "behind": CameraHint((-3.0, -0.9, 1.7), (0.3, 0.0, 1.0), 45.0),
-        "feet": CameraHint((1.6, 0.7, 0.5), (0.0, 0.0, 0.35), 40.0),
-        "above": CameraHint((0.6, 0.0, 4.2), (0.1, 0.0, 0.5), 45.0),
+        "front": _ROOM["mirror"],
+        "side": _ROOM["ringside"],
+        "behind": _ROOM["behind"],
+        "above": _ROOM["above"],
+        "feet": CameraHint((1.7, 0.8, 0.5), (0.0, 0.0, 0.35), 40.0),
     },
     "duel": {
-        "ringside": CameraHint((0.9, 3.7, 1.5), (0.45, 0.0, 0.95), 42.0),
-        "behind": CameraHint((-2.5, -0.9, 1.75), (0.6, 0.0, 1.0), 45.0),
-        "opponent": CameraHint((3.3, 0.9, 1.6), (0.3, 0.0, 1.0), 45.0),
-        "above": CameraHint((0.5, 0.1, 4.2), (0.45, 0.0, 0.5), 45.0),
+        "ringside": CameraHint((0.75, 2.95, 1.42), (0.0, 0.0, 0.92), 40.0),
+        "behind": CameraHint((-2.75, 0.95, 1.75), (0.5, 0.0, 0.92), 40.0),
+        "opponent": CameraHint((2.75, -0.95, 1.75), (-0.5, 0.0, 0.92), 40.0),
+        "above": CameraHint((1.6, 1.6, 3.2), (0.0, 0.0, 0.65), 40.0),
     },
 }

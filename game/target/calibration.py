@@ -20,6 +20,8 @@ STRAIGHT_RAD = 0.35
 OFFSET_LIMIT_M = 0.12
 """A sensed hip or shoulder centre farther than this from the character's is not a matter of build; the rest stays."""
 
+_STEADY = [Joint.HIP_CENTER, Joint.SPINE, Joint.SHOULDER_CENTER, Joint.KNEE_LEFT, Joint.KNEE_RIGHT, Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT]
+
 
 @dataclass(frozen=True)
 class Calibration:
@@ -50,10 +52,10 @@ def quietest_stretch(time_s: Floats, positions: Floats, length_s: float = QUIET_
     Trunk and legs decide; stretches with a bent trunk, bent knees or lifted feet are passed over while better ones exist.
     """
     count = len(time_s)
-    span = max(2, int(round(length_s / max(float(np.median(np.diff(time_s))), 1e-3)))) if count > 2 else count
+    span = max(2, round(length_s / max(float(np.median(np.diff(time_s))), 1e-3))) if count > 2 else count
     if count <= span:
         return slice(0, count)
-    steady = positions[:, [Joint.HIP_CENTER, Joint.SPINE, Joint.SHOULDER_CENTER, Joint.KNEE_LEFT, Joint.KNEE_RIGHT, Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT]]
+    steady = positions[:, _STEADY]
     speed = np.sqrt(np.sum(np.diff(steady, axis=0) ** 2, axis=2)).mean(axis=1)
     cost = np.append(speed, speed[-1]) / 0.005 + _bent(positions)
     cost = np.where(np.isfinite(cost), cost, 1e6)

@@ -11,7 +11,7 @@ SINGULAR = 1e-10
 """Regularisation of J J^T, so that exactly stretched limbs leave the pseudoinverse defined (m^2/rad^2)."""
 
 SDLS_MAX_ANGLE_RAD = np.pi / 4.0
-"""gamma_max of Buss & Kim 2005: the largest turn of any axis in one step."""
+"""gamma_max of Buss & Kim 2005: the largest turn of any axis in one step towards the end-effectors' targets."""
 
 
 def damped_inverse(jacobian: Floats, damping: float) -> Floats:

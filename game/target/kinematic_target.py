@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from game import rotation
 from game.characters.body_plan import BodyPlan
-from game.characters.skeleton import JOINT_COUNT, PARTS
+from game.characters.skeleton import END_EFFECTOR_PARTS, JOINT_COUNT
 from game.target.calibration import Calibration
 from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
 from game.target.inverse_kinematics import SOLVERS, clamp_targets
@@ -19,7 +19,7 @@ from kinect.body import Joint
 Floats = NDArray[np.float64]
 
 _EFFECTOR_JOINTS = [Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT, Joint.WRIST_LEFT, Joint.WRIST_RIGHT, Joint.SHOULDER_CENTER]
-_EFFECTOR_PARTS = [PARTS.index(name) for name in ("foot_left", "foot_right", "hand_left", "hand_right", "head")]
+_EFFECTOR_PARTS = list(END_EFFECTOR_PARTS)
 
 
 @dataclass(frozen=True)
@@ -91,12 +91,21 @@ class TargetTracker:
         self._last = target
         return target
 
+    def _moved_root(self, mapped: MappedInput, previous: Floats) -> PosedSkeleton:
+        """The previous pose on the new root: a rigid motion of the last target where there is one."""
+        if self._last is None:
+            return pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, previous)
+        last = self._last.pose
+        turn = rotation.matrix(mapped.root_orientation) @ last.turn[0].T
+        joint = mapped.root_position + (last.joint - last.joint[0]) @ turn.T
+        return PosedSkeleton(turn @ last.turn, joint, mapped.root_orientation, previous)
+
     def _solve(self, mapped: MappedInput) -> Floats:
         method = self._settings.choice("ik.method")
         if method == "none":
             return mapped.joint_rotation
         previous = mapped.joint_rotation if self._last is None else self._last.joint_rotation
-        pose = pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, previous)
+        pose = self._moved_root(mapped, previous)
         error = clamp_targets(mapped.end_effector - pose.joint[_EFFECTOR_PARTS], self._settings.number("ik.target_clamp_m"))
         # phi: what is still to turn, in the parent's frame
         phi = rotation.log(rotation.multiply(mapped.joint_rotation, rotation.conjugate(previous)))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
-from game.characters.skeleton import LEVELS, PART_COUNT, PARTS
+from game.characters.skeleton import PARENT, PART_COUNT, PARTS
 from kinect.body import Joint
 
 if TYPE_CHECKING:
@@ -33,7 +33,15 @@ _BONE = {
 }
 _FROM = np.array([_BONE[name][0] for name in PARTS])
 _TO = np.array([_BONE[name][1] for name in PARTS])
-_SWINGING = [(parts[parts != 1], parents[parts != 1]) for parts, parents in LEVELS]
+# pelvis and trunk are sensed by themselves, so the limbs hang on two known parts: three steps instead of four
+_SWINGING = [
+    (np.array([PARTS.index(name) for name in level]), np.array([PARENT[PARTS.index(name)] for name in level]))
+    for level in (
+        ("head", "upper_arm_left", "upper_arm_right", "upper_leg_left", "upper_leg_right"),
+        ("lower_arm_left", "lower_arm_right", "lower_leg_left", "lower_leg_right"),
+        ("hand_left", "hand_right", "foot_left", "foot_right"),
+    )
+]
 
 
 def bone_directions(joints: Floats) -> Floats:
@@ -52,7 +60,8 @@ def pelvis_orientation(joints: Floats) -> Floats:
 
 def trunk_orientation(joints: Floats) -> Floats:
     """(4,) orientation of the sensed trunk: up from spine to shoulder centre exactly, y towards the left shoulder."""
-    return rotation.from_axes(joints[Joint.SHOULDER_LEFT] - joints[Joint.SHOULDER_RIGHT], joints[Joint.SHOULDER_CENTER] - joints[Joint.SPINE])
+    y = joints[Joint.SHOULDER_LEFT] - joints[Joint.SHOULDER_RIGHT]
+    return rotation.from_axes(y, joints[Joint.SHOULDER_CENTER] - joints[Joint.SPINE])
 
 
 def map_orientations(joints: Floats, calibration: "Calibration") -> tuple[Floats, Floats]:
@@ -61,17 +70,20 @@ def map_orientations(joints: Floats, calibration: "Calibration") -> tuple[Floats
     Pelvis and trunk follow two directions each; every other part swings its idle direction to the sensed bone, without twist.
     """
     direction = bone_directions(joints)
-    turn = np.empty((PART_COUNT, 3, 3))
-    local = np.empty((PART_COUNT, 4))
     root = rotation.multiply(pelvis_orientation(joints), calibration.pelvis)
     trunk = rotation.multiply(trunk_orientation(joints), calibration.trunk)
-    local[1] = rotation.multiply(rotation.conjugate(root), trunk)
-    turn[0], turn[1] = rotation.matrix(root), rotation.matrix(trunk)
+    turn = np.empty((PART_COUNT, 3, 3))
+    turn[:2] = rotation.matrix(np.array((root, trunk)))
+    # where each bone points in its parent's frame; parents first
+    seen = np.empty((PART_COUNT, 3))
     for parts, parents in _SWINGING:
         of_parent = turn[parents]
-        local[parts] = rotation.between(calibration.idle_direction[parts], rotation.turn_back(of_parent, direction[parts]))
-        turn[parts] = of_parent @ rotation.matrix(local[parts])
-    return root, local[1:]
+        seen[parts] = rotation.turn_back(of_parent, direction[parts])
+        turn[parts] = of_parent @ rotation.swing_matrix(calibration.idle_direction[parts], seen[parts])
+    local = np.empty((PART_COUNT - 1, 4))
+    local[0] = rotation.multiply(rotation.conjugate(root), trunk)
+    local[1:] = rotation.between(calibration.idle_direction[2:], seen[2:])
+    return root, local
 
 
 def map_positions(joints: Floats, calibration: "Calibration") -> Floats:
