@@ -43,7 +43,7 @@ class Plausibility:
         last = self._last
         if not np.isfinite(frame.time_s) or (last is not None and frame.time_s <= last.time_s):
             return f"a frame's time does not advance ({frame.time_s:.3f} s): it is dropped"
-        seen = np.logical_and(np.isfinite(frame.positions).all(axis=1), frame.confidence > 0.0)
+        seen = np.asarray(np.isfinite(frame.positions).all(axis=1) & (frame.confidence > 0.0), dtype=np.bool_)
         if not seen[Joint.HIP_CENTER]:
             return "the hip centre is lost: the last pose is held"
         if last is None and not seen.all():

@@ -1,12 +1,13 @@
 """How far the character is from its target and from the input it was made of (thesis 4.2 and 4.3)."""
 
+from typing import Protocol
+
 import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
 from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import END_EFFECTOR_PARTS, JOINTS
-from game.control.joint_command import BodyState
 from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
 from game.target.kinematic_target import KinematicTarget
 
@@ -15,6 +16,20 @@ Floats = NDArray[np.float64]
 _WITHOUT_WRISTS = np.array([not name.startswith("wrist") for name in JOINTS])
 _WITHOUT_ENDS = np.array([not name.startswith(("wrist", "ankle")) for name in JOINTS])
 _EFFECTORS = list(END_EFFECTOR_PARTS)
+
+
+class PosedBody(Protocol):
+    """What is measured of a character, world frame; physics implements it as `BodyDynamics`."""
+
+    @property
+    def orientation(self) -> Floats:
+        """(15, 4) of the parts."""
+        ...
+
+    @property
+    def joint(self) -> Floats:
+        """(15, 3) joint centres, row 0 the root point, metres."""
+        ...
 
 
 def in_heading(points: Floats, root_position: Floats, root_orientation: Floats) -> Floats:
@@ -37,7 +52,7 @@ class TrackingError:
         self._sums = {"target": np.zeros((2, 14)), "mapped": np.zeros((2, 14))}
         self._effector = {"target": np.zeros(5), "mapped": np.zeros(5)}
 
-    def sample(self, body: BodyState, joint_rotation: Floats, target: KinematicTarget) -> None:
+    def sample(self, body: PosedBody, joint_rotation: Floats, target: KinematicTarget) -> None:
         """One frame of the character against its target; joint_rotation (14, 4) is the character's own."""
         self._samples += 1
         mapped = target.mapped
@@ -50,7 +65,7 @@ class TrackingError:
         for key, place in (("target", at_target), ("mapped", at_input)):
             self._effector[key] += np.sqrt(np.sum((own - place) ** 2, axis=1))
 
-    def _add(self, key: str, body: BodyState, joint_rotation: Floats, pose: PosedSkeleton, rotations: Floats) -> None:
+    def _add(self, key: str, body: PosedBody, joint_rotation: Floats, pose: PosedSkeleton, rotations: Floats) -> None:
         self._sums[key][0] += _angles(joint_rotation, rotations).mean(axis=1)
         heading = rotation.about_z(rotation.yaw(body.orientation[0]) - rotation.yaw(pose.orientation[0]))
         self._sums[key][1] += _angles(body.orientation[1:], rotation.multiply(heading, pose.orientation[1:])).mean(axis=1)

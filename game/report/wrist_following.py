@@ -4,8 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.skeleton import END_EFFECTOR_PARTS, END_EFFECTORS
-from game.control.joint_command import BodyState
-from game.report.tracking_error import in_heading
+from game.report.tracking_error import PosedBody, in_heading
 from game.target.kinematic_target import KinematicTarget
 
 Floats = NDArray[np.float64]
@@ -23,7 +22,7 @@ class WristFollowing:
         self._own: list[Floats] = []
         self._input: list[Floats] = []
 
-    def sample(self, body: BodyState, target: KinematicTarget) -> None:
+    def sample(self, body: PosedBody, target: KinematicTarget) -> None:
         self._own.append(in_heading(body.joint[_HANDS], body.joint[0], body.orientation[0]).reshape(-1))
         mapped = target.mapped
         self._input.append(in_heading(mapped.end_effector[_WRISTS], mapped.root_position, mapped.root_orientation).reshape(-1))

@@ -14,17 +14,10 @@ SDLS_MAX_ANGLE_RAD = np.pi / 4.0
 """gamma_max of Buss & Kim 2005: the largest turn of any axis in one step towards the end-effectors' targets."""
 
 
-def damped_inverse(jacobian: Floats, damping: float) -> Floats:
-    """J^T (J J^T + lambda^2 I)^-1, Eq. 3.3; (n, m) for J (m, n)."""
-    gram = jacobian @ jacobian.T
-    gram.flat[:: gram.shape[0] + 1] += damping * damping + SINGULAR
-    return np.linalg.solve(gram, jacobian).T
-
-
 def damped_least_squares(jacobian: Floats, error: Floats, pose_error: Floats, damping: float, pose_weight: float) -> Floats:
     """Joint increments (n,) rad for end-effector errors (m,) m and pose errors phi (n,) rad, Eq. 3.5.
 
-    J+ e + w (phi - J+ J phi): the projector is applied to phi without being formed.
+    J+ e + w (phi - J+ J phi) with J+ = J^T (J J^T + lambda^2 I)^-1 of Eq. 3.3; neither J+ nor the projector is formed.
     """
     weighted = pose_weight * pose_error
     gram = jacobian @ jacobian.T
