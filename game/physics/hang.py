@@ -45,11 +45,11 @@ def _sole_centre(plan: BodyPlan) -> Floats:
 def hold_root(model: mj.MjModel, data: mj.MjData, index: int, position: Floats, orientation: Floats) -> None:
     """Weld the root of character `index` to a place in the world; the weld is stated and off from the release on."""
     weld = model.equality(f"c{index}.hang").id
-    inverse = rotation.conjugate(orientation)
-    # relpose of a weld is body 2 (the world) in the frame of body 1 (the pelvis)
-    model.eq_data[weld, 0:3] = 0.0
-    model.eq_data[weld, 3:6] = rotation.rotate(inverse, -position)
-    model.eq_data[weld, 6:10] = inverse
+    # MuJoCo's order: the point in body 2 (the world), the point in body 1 (the pelvis), body 2's orientation in body 1. The points
+    # lie in the pelvis: held at the world's origin instead, a turn by a hundredth of a radian would shift it by centimetres
+    model.eq_data[weld, 0:3] = position
+    model.eq_data[weld, 3:6] = 0.0
+    model.eq_data[weld, 6:10] = rotation.conjugate(orientation)
     model.eq_data[weld, 10] = 1.0
     data.eq_active[weld] = 1
 
