@@ -1,0 +1,86 @@
+"""Contact forces obey Coulomb (Eq. 3.6): never pulling, never rubbing harder than friction allows."""
+
+import numpy as np
+import pytest
+
+from game.characters.skeleton import PARTS
+from game.physics.contacts import contact_forces
+from game.physics.world import World
+from game.tunables import Settings
+from tests.physics.standing import hold, limp, original, run, swing, thrash, world_of
+
+WEIGHT_N = 9.81 * 94.536
+
+
+@pytest.mark.parametrize("friction", [0.05, 0.4, 1.0])
+@pytest.mark.parametrize("motion", [swing, thrash, limp])
+def test_every_contact_stays_in_its_friction_cone(friction, motion):
+    world = world_of((0, 0, 0), (0.35, 0, 0), physics__friction=friction)
+    run(world, 300, motion)
+    assert world.meter.partners, "something was to touch"
+    assert world.meter.worst_cone_excess_n <= 1e-9
+
+
+def test_standing_feet_bear_the_weight_and_half_each():
+    world = world_of((0, 0, 0))
+    run(world, 960, lambda body, _: hold(body))
+    found = world.meter.contacts
+    assert found is not None
+    assert found.force[:, 2].sum() == pytest.approx(WEIGHT_N, abs=0.5)
+    left = found.part[:, 1] == PARTS.index("foot_left")
+    assert found.force[left, 2].sum() == pytest.approx(WEIGHT_N / 2, rel=0.01)
+    assert set(found.part[:, 1].tolist()) == {PARTS.index("foot_left"), PARTS.index("foot_right")}
+    np.testing.assert_array_equal(found.character, np.tile([-1, 0], (len(found.force), 1)))
+
+
+def slide_m(push_n: float, friction: float, seconds: float = 1.0) -> float:
+    """How far the left foot slides on slippery floor while the pelvis is pushed."""
+    world = world_of((0, 0, 0), physics__friction=friction)
+    run(world, 240, lambda body, _: hold(body, kp_hat=2000.0))
+    world.refresh()
+    foot = PARTS.index("foot_left")
+    start = world.characters[0].box_centre[foot, 0]
+    steps = round(seconds * 480)
+    world.push(0, 0, np.array([push_n, 0.0, 0.0]), steps)
+    run(world, steps, lambda body, _: hold(body, kp_hat=2000.0))
+    world.refresh()
+    assert world.characters[0].com_height() > 0.85, "it was to stay on its feet"
+    return float(world.characters[0].box_centre[foot, 0] - start)
+
+
+def test_a_character_slides_when_it_is_pushed_beyond_friction_and_not_before():
+    """Pushed level with 30 and 70 N where friction holds 46 N: the second slides off with the rest of its push."""
+    friction = 0.05
+    limit = friction * WEIGHT_N
+    assert 30.0 < limit < 70.0
+    assert abs(slide_m(30.0, friction)) < 0.005
+    expected = 0.5 * (70.0 - limit) / 94.536
+    assert slide_m(70.0, friction) == pytest.approx(expected, rel=0.2)
+
+
+def test_the_floor_turns_slippery_while_the_game_runs():
+    settings = Settings()
+    world = World([original()], settings)
+    assert run(world, 10)[-1, 2] == pytest.approx(original().joint[0, 2], abs=0.01), "it was to stand"
+    settings.set("physics.friction", 0.1)
+    run(world, 10)
+    found = world.meter.contacts
+    assert found is not None and (found.friction == 0.1).all()
+
+
+def test_there_are_no_contact_forces_in_the_air():
+    world = world_of((0, 0, 1.0))
+    run(world, 5, limp)
+    assert contact_forces(world.model, world.data) is None and world.meter.contacts is None
+
+
+def test_a_foot_stands_when_its_lowest_corner_is_below_four_millimetres():
+    world = world_of((0, 0, 0.0039), (2, 0, 0.0041))
+    assert [body.foot_contact for body in world.characters] == [(True, True), (False, False)]
+
+
+def test_parts_of_one_body_collide_only_where_asked():
+    for wanted in (False, True):
+        world = world_of((0, 0, 2.0), physics__self_collision=wanted)
+        run(world, 120, thrash)
+        assert ("c0 - c0" in world.meter.partners) == wanted
