@@ -120,21 +120,12 @@ def between(a: Floats, b: Floats) -> Floats:
     q = np.empty(np.broadcast_shapes(a.shape[:-1], b.shape[:-1]) + (4,))
     q[..., 0] = 1.0 + (a * b).sum(-1)
     q[..., 1:] = cross(a, b)
-    if (q[..., 0] < 1e-9).any():
+    if (q[..., 0] < 1e-15).any():
         least = np.eye(3)[np.argmin(np.abs(a), axis=-1)]
-        opposite = q[..., :1] < 1e-9
+        opposite = q[..., :1] < 1e-15
         q[..., 1:] = np.where(opposite, cross(a, least), q[..., 1:])
         q[..., :1] = np.where(opposite, 0.0, q[..., :1])
     return normalise(q)
-
-
-def swing_matrix(a: Floats, b: Floats) -> Floats:
-    """The matrix (..., 3, 3) of `between(a, b)` for unit a and b: I + K + K^2 / (1 + a.b), K the cross product matrix of a x b."""
-    cosine = (a * b).sum(-1)
-    if cosine.min() < -1.0 + 1e-6:
-        return matrix(between(a, b))
-    k = (cross(a, b) @ _CROSS).reshape(*cosine.shape, 3, 3)
-    return np.eye(3) + k + (k @ k) / (1.0 + cosine)[..., None, None]
 
 
 def from_axes(y_axis: Floats, up: Floats) -> Floats:
