@@ -7,10 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
+from game import rotation_compiled as one
 from game.characters.body_plan import BodyPlan
-from game.characters.skeleton import LEVELS, PART_COUNT
+from game.characters.skeleton import PARENT, PART_COUNT
+from game.compiled import compiled
 
 Floats = NDArray[np.float64]
+
+_PARENT = np.array(PARENT)
 
 
 @dataclass(frozen=True)
@@ -28,11 +32,7 @@ class PosedSkeleton:
     @cached_property
     def orientation(self) -> Floats:
         """(15, 4) quaternions of the parts, world frame."""
-        orientation = np.empty((PART_COUNT, 4))
-        orientation[0] = self.root_orientation
-        for parts, parents in LEVELS:
-            orientation[parts] = rotation.multiply(orientation[parents], self.joint_rotation[parts - 1])
-        return orientation
+        return _orientations(self.root_orientation, self.joint_rotation)
 
     def box_centres(self, plan: BodyPlan) -> Floats:
         """(15, 3) centres of the boxes, world frame."""
@@ -45,13 +45,27 @@ class PosedSkeleton:
 
 def pose_skeleton(plan: BodyPlan, root_position: Floats, root_orientation: Floats, joint_rotation: Floats) -> PosedSkeleton:
     """Forward kinematics: joint_rotation (14, 4) turns each part against its parent (child in parent frame)."""
-    local = rotation.matrix(joint_rotation)
+    turn, joint = _pose(plan.joint_offset, root_position, root_orientation, joint_rotation)
+    return PosedSkeleton(turn, joint, root_orientation, joint_rotation)
+
+
+@compiled
+def _pose(offset: Floats, root_position: Floats, root_orientation: Floats, joint_rotation: Floats) -> tuple[Floats, Floats]:
     turn = np.empty((PART_COUNT, 3, 3))
     joint = np.empty((PART_COUNT, 3))
-    turn[0] = rotation.matrix(root_orientation)
+    turn[0] = one.matrix(root_orientation)
     joint[0] = root_position
-    for parts, parents in LEVELS:
-        of_parent = turn[parents]
-        turn[parts] = of_parent @ local[parts - 1]
-        joint[parts] = joint[parents] + rotation.turn(of_parent, plan.joint_offset[parts])
-    return PosedSkeleton(turn, joint, root_orientation, joint_rotation)
+    for part in range(1, PART_COUNT):
+        parent = _PARENT[part]
+        turn[part] = one.product(turn[parent], one.matrix(joint_rotation[part - 1]))
+        joint[part] = joint[parent] + one.turn(turn[parent], offset[part])
+    return turn, joint
+
+
+@compiled
+def _orientations(root_orientation: Floats, joint_rotation: Floats) -> Floats:
+    orientation = np.empty((PART_COUNT, 4))
+    orientation[0] = root_orientation
+    for part in range(1, PART_COUNT):
+        orientation[part] = one.multiply(orientation[_PARENT[part]], joint_rotation[part - 1])
+    return orientation

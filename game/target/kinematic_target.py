@@ -6,8 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
+from game import rotation_compiled as one
 from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import END_EFFECTOR_PARTS, JOINT_COUNT
+from game.compiled import compiled
 from game.target.calibration import Calibration
 from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
 from game.target.inverse_kinematics import SOLVERS, clamp_targets
@@ -84,8 +86,7 @@ class TargetTracker:
         pose = pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, rotations)
         velocity = np.zeros(3 * JOINT_COUNT)
         if self._last is not None and time_s > self._last.time_s:
-            turned = rotation.multiply(rotation.conjugate(self._last.joint_rotation), rotations)
-            velocity = rotation.log(turned).reshape(-1) / (time_s - self._last.time_s)
+            velocity = _turned_in_child(self._last.joint_rotation, rotations) / (time_s - self._last.time_s)
         com = pose.centre_of_mass(self._plan)
         target = KinematicTarget(time_s, mapped.root_position, mapped.root_orientation, rotations, velocity, pose, com, raw_mapped)
         self._last = target
@@ -108,12 +109,39 @@ class TargetTracker:
         pose = self._moved_root(mapped, previous)
         error = clamp_targets(mapped.end_effector - pose.joint[_EFFECTOR_PARTS], self._settings.number("ik.target_clamp_m"))
         # phi: what is still to turn, in the parent's frame
-        phi = rotation.log(rotation.multiply(mapped.joint_rotation, rotation.conjugate(previous)))
+        phi = _turned_in_parent(previous, mapped.joint_rotation)
         step = SOLVERS[method](
             end_effector_jacobian(pose),
             error.reshape(-1),
-            phi.reshape(-1),
+            phi,
             self._settings.number("ik.damping"),
             self._settings.number("ik.pose_weight"),
         )
-        return rotation.normalise(rotation.multiply(rotation.exp(step.reshape(-1, 3)), previous))
+        return _turned_by(step, previous)
+
+
+@compiled
+def _turned_in_child(before: Floats, after: Floats) -> Floats:
+    """(3 n,) rotation vectors from `before` to `after`, (n, 4), in the child frame."""
+    out = np.empty(3 * len(before))
+    for j in range(len(before)):
+        out[3 * j : 3 * j + 3] = one.log(one.multiply(one.conjugate(before[j]), after[j]))
+    return out
+
+
+@compiled
+def _turned_in_parent(before: Floats, after: Floats) -> Floats:
+    """(3 n,) rotation vectors from `before` to `after`, (n, 4), in the parent frame."""
+    out = np.empty(3 * len(before))
+    for j in range(len(before)):
+        out[3 * j : 3 * j + 3] = one.log(one.multiply(after[j], one.conjugate(before[j])))
+    return out
+
+
+@compiled
+def _turned_by(step: Floats, before: Floats) -> Floats:
+    """(n, 4) rotations after turning by rotation vectors (3 n,) in the parent frame."""
+    out = np.empty_like(before)
+    for j in range(len(before)):
+        out[j] = one.normalise(one.multiply(one.exp(step[3 * j : 3 * j + 3]), before[j]))
+    return out

@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
+from game import rotation_compiled as one
 from game.characters.skeleton import PARENT, PART_COUNT, PARTS
+from game.compiled import compiled
 from kinect.body import Joint
 
 if TYPE_CHECKING:
@@ -33,35 +34,32 @@ _BONE = {
 }
 _FROM = np.array([_BONE[name][0] for name in PARTS])
 _TO = np.array([_BONE[name][1] for name in PARTS])
-# pelvis and trunk are sensed by themselves, so the limbs hang on two known parts: three steps instead of four
-_SWINGING = [
-    (np.array([PARTS.index(name) for name in level]), np.array([PARENT[PARTS.index(name)] for name in level]))
-    for level in (
-        ("head", "upper_arm_left", "upper_arm_right", "upper_leg_left", "upper_leg_right"),
-        ("lower_arm_left", "lower_arm_right", "lower_leg_left", "lower_leg_right"),
-        ("hand_left", "hand_right", "foot_left", "foot_right"),
-    )
-]
+_HIP_LEFT, _HIP_RIGHT, _SPINE = int(Joint.HIP_LEFT), int(Joint.HIP_RIGHT), int(Joint.SPINE)
+_SHOULDER_LEFT, _SHOULDER_RIGHT, _SHOULDER_CENTER = int(Joint.SHOULDER_LEFT), int(Joint.SHOULDER_RIGHT), int(Joint.SHOULDER_CENTER)
+_PARENT = np.array(PARENT)
 
 
+@compiled
 def bone_directions(joints: Floats) -> Floats:
     """(15, 3) unit direction of the sensed bone that stands for each part; joints (20, 3)."""
-    d = joints[_TO] - joints[_FROM]
-    return d / np.maximum(np.sqrt(np.sum(d * d, axis=1, keepdims=True)), 1e-9)
+    out = np.empty((PART_COUNT, 3))
+    for part in range(PART_COUNT):
+        out[part] = one.normalise(joints[_TO[part]] - joints[_FROM[part]])
+    return out
 
 
+@compiled
 def pelvis_orientation(joints: Floats) -> Floats:
     """(4,) orientation of the sensed pelvis: y from the right to the left hip exactly, up towards the spine."""
-    y = joints[Joint.HIP_LEFT] - joints[Joint.HIP_RIGHT]
-    up = joints[Joint.SPINE] - 0.5 * (joints[Joint.HIP_LEFT] + joints[Joint.HIP_RIGHT])
-    y = y / max(float(np.sqrt(y @ y)), 1e-9)
-    return rotation.from_axes(y, up - (up @ y) * y)
+    y = one.normalise(joints[_HIP_LEFT] - joints[_HIP_RIGHT])
+    up = joints[_SPINE] - 0.5 * (joints[_HIP_LEFT] + joints[_HIP_RIGHT])
+    return one.from_axes(y, up - one.dot(up, y) * y)
 
 
+@compiled
 def trunk_orientation(joints: Floats) -> Floats:
     """(4,) orientation of the sensed trunk: up from spine to shoulder centre exactly, y towards the left shoulder."""
-    y = joints[Joint.SHOULDER_LEFT] - joints[Joint.SHOULDER_RIGHT]
-    return rotation.from_axes(y, joints[Joint.SHOULDER_CENTER] - joints[Joint.SPINE])
+    return one.from_axes(joints[_SHOULDER_LEFT] - joints[_SHOULDER_RIGHT], joints[_SHOULDER_CENTER] - joints[_SPINE])
 
 
 def map_orientations(joints: Floats, calibration: "Calibration") -> tuple[Floats, Floats]:
@@ -69,20 +67,22 @@ def map_orientations(joints: Floats, calibration: "Calibration") -> tuple[Floats
 
     Pelvis and trunk follow two directions each; every other part swings its idle direction to the sensed bone, without twist.
     """
+    return _map(joints, calibration.pelvis, calibration.trunk, calibration.idle_direction)
+
+
+@compiled
+def _map(joints: Floats, pelvis: Floats, trunk: Floats, idle: Floats) -> tuple[Floats, Floats]:
     direction = bone_directions(joints)
-    root = rotation.multiply(pelvis_orientation(joints), calibration.pelvis)
-    trunk = rotation.multiply(trunk_orientation(joints), calibration.trunk)
-    turn = np.empty((PART_COUNT, 3, 3))
-    turn[:2] = rotation.matrix(np.array((root, trunk)))
-    # where each bone points in its parent's frame; parents first
-    seen = np.empty((PART_COUNT, 3))
-    for parts, parents in _SWINGING:
-        of_parent = turn[parents]
-        seen[parts] = rotation.turn_back(of_parent, direction[parts])
-        turn[parts] = of_parent @ rotation.swing_matrix(calibration.idle_direction[parts], seen[parts])
+    root = one.multiply(pelvis_orientation(joints), pelvis)
     local = np.empty((PART_COUNT - 1, 4))
-    local[0] = rotation.multiply(rotation.conjugate(root), trunk)
-    local[1:] = rotation.between(calibration.idle_direction[2:], seen[2:])
+    local[0] = one.multiply(one.conjugate(root), one.multiply(trunk_orientation(joints), trunk))
+    turn = np.empty((PART_COUNT, 3, 3))
+    turn[0] = one.matrix(root)
+    turn[1] = one.product(turn[0], one.matrix(local[0]))
+    for part in range(2, PART_COUNT):
+        of_parent = turn[_PARENT[part]]
+        local[part - 1] = one.between(idle[part], one.turn_back(of_parent, direction[part]))
+        turn[part] = one.product(of_parent, one.matrix(local[part - 1]))
     return root, local
 
 
