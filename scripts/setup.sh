@@ -94,7 +94,6 @@ is_installed() {
 }
 
 install_packages() {
-    is_installed "$1" && return 0
     say "installing the Python packages of requirements/$1.txt into $venv (once)"
     quiet=--quiet
     [ -t 2 ] && quiet=
@@ -107,7 +106,14 @@ install_packages() {
     cp "$root/requirements/$1.txt" "$venv/installed-$1.txt"
 }
 
+# New packages compile anew. A first start would do it too, only with the player waiting, so a failure is no reason to stop here.
+warm_up() {
+    (cd "$root" && "$python" -m game.warm_up) || say "could not compile ahead; the lines above say why."
+}
+
 set_up() {
     make_venv || exit 1
+    is_installed "$1" && return 0
     install_packages "$1" || exit 1
+    warm_up
 }

@@ -13,6 +13,7 @@ $pip install --quiet --no-input --require-hashes --only-binary :all: -r "$root/r
 $pip install --quiet --no-input --no-deps "$folder"/topple-*.whl
 $pip check    # the wheel asks for nothing that the lock does not hold
 cd "$folder"
+"$folder/empty/bin/python" -m game.warm_up
 "$folder/empty/bin/topple" --headless --input performer:waving --seconds 0.5 --size 320x180 --quality low --picture wheel.png --report wheel.json
 test -s wheel.png
 test -s wheel.json

@@ -11,6 +11,7 @@ from game.presets import PRESETS, apply_preset
 from game.scenes.fighter import NoBodyError
 from game.tunables import TUNABLES, Settings, TunableError
 from game.undrawn import run_undrawn
+from game.warm_up import tell_of_compiling
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -47,6 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
     announce = headless and not arguments.headless
     if announce and arguments.input == "auto":
         arguments.input = "performer:boxing"
+    tell_of_compiling()
     casting = Casting(arguments.input, arguments.character, settings, arguments.seed)
     scene = casting.scene(arguments.scene or casting.default_scene())
     try:
@@ -59,9 +61,9 @@ def run(arguments: argparse.Namespace) -> int:
     except NoBodyError as fault:
         raise BadInput(str(fault)) from fault
     report = {**scene.report(), **outcome}
-    ms = report["ms_per_frame"]
-    assert isinstance(ms, dict)
-    ms["draw"] = outcome["stage_ms"].get("draw", 0.0) if "stage_ms" in outcome else 0.0
+    ms, drawing = report["ms_per_frame"], outcome.get("stage_ms", {})
+    assert isinstance(ms, dict) and isinstance(drawing, dict)
+    ms["draw"] = drawing.get("draw", 0.0)
     if arguments.report is not None:
         write_report(arguments.report, report)
     if arguments.no_draw or headless:
