@@ -13,7 +13,8 @@ from game.scenes.registry import SCENES, PlayableScene
 from game.tunables import Settings
 
 OUTPUT = Path("topple-output")
-MENU_INPUTS = ("auto", "script", *(f"performer:{n}" for n in ("waving", "leaning", "bowing", "reaching", "boxing", "stepping", "balancing", "jump")))
+MENU_MOTIONS = ("waving", "leaning", "bowing", "reaching", "boxing", "stepping", "balancing", "jump")
+MENU_INPUTS = ("auto", "script", *(f"performer:{motion}" for motion in MENU_MOTIONS))
 
 
 class Stage:
@@ -40,9 +41,19 @@ class Stage:
 
 
 def draw(
-    scene: PlayableScene, casting: Casting, settings: Settings, arguments: argparse.Namespace, size: tuple[int, int], *, headless: bool, announce: bool
+    scene: PlayableScene,
+    casting: Casting,
+    settings: Settings,
+    arguments: argparse.Namespace,
+    size: tuple[int, int],
+    *,
+    headless: bool,
+    announce: bool,
 ) -> tuple[PlayableScene, dict[str, object]]:
-    """Play until the end; returns the scene last on stage and what the loop adds to the report. Raises BadInput where nothing can be drawn."""
+    """Play until the end; returns the scene last on stage and what the loop adds to the report.
+
+    Raises BadInput where nothing can be drawn.
+    """
     picture, video = arguments.picture, arguments.video
     if announce:
         video = video or OUTPUT / "topple.mp4"

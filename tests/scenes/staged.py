@@ -10,9 +10,14 @@ from game.tunables import Settings
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
-def make_scene(name: str, spec: str = "script", settings: Settings | None = None, seed: int = 0, character: str = "original") -> PlayableScene:
+def make_scene(name: str, spec: str = "script", settings: Settings | None = None, seed: int = 0) -> PlayableScene:
     """The scene `name` with input `spec`, not yet entered."""
-    return Casting(spec, character, settings or Settings(), seed).scene(name)
+    return Casting(spec, "original", settings or Settings(), seed).scene(name)
+
+
+def look_at(scene: PlayableScene) -> tuple[object, ...]:
+    """Ask an entered scene for everything that a picture, the overlay and a report ask it for."""
+    return scene.drawables(0.3), scene.readouts(), scene.plots(), scene.messages(), scene.score(), scene.report()
 
 
 def run_s(scene: PlayableScene, seconds: float) -> PlayableScene:

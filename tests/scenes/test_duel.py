@@ -12,7 +12,7 @@ from game.scenes.duel import AFTERMATH_FRAMES, Duel
 from game.target.kinematic_target import KinematicTarget
 from game.tunables import Settings
 from kinect.body import Joint
-from tests.scenes.staged import make_scene, run_s
+from tests.scenes.staged import look_at, make_scene, run_s
 from tests.scenes.twenty_rounds import first_rounds, table
 
 
@@ -130,7 +130,7 @@ def test_rounds_go_the_same_way_whether_or_not_somebody_watches() -> None:
     while alone.simulation.time_s > alone.time_s - 1.0 / 120.0:
         for scene in (watched, alone):
             scene.fixed_update()
-        watched.drawables(0.7), watched.readouts(), watched.plots(), watched.messages()
+        look_at(watched)
         assert alone.time_s < 5.0, "the next round does not begin"
     assert len(alone.rounds) == 1
     assert watched.rounds == alone.rounds
@@ -138,8 +138,8 @@ def test_rounds_go_the_same_way_whether_or_not_somebody_watches() -> None:
 
 
 def test_the_two_face_each_other_at_the_asked_distance_and_their_bodies_collide() -> None:
-    near, far = make_scene("duel", settings=Settings({"duel.distance_m": 0.4})), make_scene("duel", settings=Settings({"duel.distance_m": 1.5}))
-    for scene, distance, met in ((near, 0.4, True), (far, 1.5, False)):
+    for distance, met in ((0.4, True), (1.5, False)):
+        scene = make_scene("duel", settings=Settings({"duel.distance_m": distance}))
         assert isinstance(scene, Duel)
         scene.enter()
         mine, theirs = (body.joint[0] for body in scene.simulation.world.characters)
