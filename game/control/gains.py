@@ -1,10 +1,13 @@
 """PD gains of every axis from one stiffness: the dynamic ratio of Eq. 3.8, or ratios fixed by hand (Zwennes 2014, 3.4.2)."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
-from game.characters.skeleton import JOINTS, LEG_JOINTS
+from game import rotation_compiled as one
+from game.characters.skeleton import JOINT_COUNT, JOINTS, LEG_JOINTS
+from game.compiled import compiled
 from game.control.joint_command import BodyState
 
 Floats = NDArray[np.float64]
@@ -15,7 +18,7 @@ T0_KG_M = 10.0
 LEAST_RADIUS_SHARE = 0.3
 """An axis that points at the centre of mass (a twist) still counts this share of the distance as its radius."""
 
-_LEGS = list(LEG_JOINTS)
+_IS_LEG = np.array([j in LEG_JOINTS for j in range(JOINT_COUNT)])
 
 _MANUAL = {
     "spine": (1.0, 1.25, 0.5),
@@ -36,17 +39,25 @@ def dynamic_ratio(state: BodyState) -> Floats:
 
     The parts an axis moves are those beyond the joint; for the legs, whose feet stand, all the rest of the body.
     """
-    mass = state.subtree_mass[1:].copy()
-    total = state.subtree_mass[0]
-    affected = state.subtree_com[1:].copy()
-    moment = total * state.subtree_com[0] - mass[_LEGS, None] * affected[_LEGS]
-    mass[_LEGS] = total - mass[_LEGS]
-    affected[_LEGS] = moment / mass[_LEGS, None]
-    arm = rotation.turn_back(state.turn[1:], affected - state.joint[1:])
-    squared = arm * arm
-    length_squared = squared.sum(axis=1, keepdims=True)
-    radius = np.sqrt(np.maximum(length_squared - squared, LEAST_RADIUS_SHARE**2 * length_squared))
-    return (radius * mass[:, None]).reshape(-1) / T0_KG_M
+    return _dynamic_ratio(state.subtree_mass, state.subtree_com, state.joint, state.turn)
+
+
+@compiled
+def _dynamic_ratio(subtree_mass: Floats, subtree_com: Floats, joint: Floats, turn: Floats) -> Floats:
+    ratio = np.empty(3 * JOINT_COUNT)
+    total = subtree_mass[0]
+    for j in range(JOINT_COUNT):
+        mass, affected = subtree_mass[j + 1], subtree_com[j + 1]
+        if _IS_LEG[j]:
+            rest = total - mass
+            affected = (total * subtree_com[0] - mass * affected) / rest
+            mass = rest
+        arm = one.turn_back(turn[j + 1], affected - joint[j + 1])
+        squared = one.dot(arm, arm)
+        for axis in range(3):
+            radius_squared = max(squared - arm[axis] * arm[axis], LEAST_RADIUS_SHARE * LEAST_RADIUS_SHARE * squared)
+            ratio[3 * j + axis] = math.sqrt(radius_squared) * mass / T0_KG_M
+    return ratio
 
 
 def gains(state: BodyState, kp_hat: float, ratio: str) -> tuple[Floats, Floats]:

@@ -3,21 +3,16 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
-from game.characters.skeleton import ANKLES, FEET, JOINTS
+from game import rotation_compiled as one
+from game.characters.skeleton import FEET, JOINTS
+from game.compiled import compiled
 from game.control.joint_command import BodyState
 
 Floats = NDArray[np.float64]
 
-_LEG_JOINTS = [JOINTS.index(name) for name in ("hip_left", "knee_left", "hip_right", "knee_right")]
-_LEG_FEET = [FEET[0], FEET[0], FEET[1], FEET[1]]
-_ANKLES = list(ANKLES)
-
-
-def leg_moments(state: BodyState, left_force: Floats, right_force: Floats) -> Floats:
-    """(4, 3) N m about left hip, left knee, right hip, right knee of forces (3,) N that the floor puts on the feet, world frame."""
-    arm = state.box_centre[_LEG_FEET] - state.joint[1:][_LEG_JOINTS]
-    return rotation.cross(arm, np.array((left_force, left_force, right_force, right_force)))
+_ANKLE = np.array([name.startswith("ankle") for name in JOINTS])
+_SIDE = np.array([1 if name == "hip_left" or name == "knee_left" else 2 if name in ("hip_right", "knee_right") else 0 for name in JOINTS])
+_FOOT = np.array([0, FEET[0], FEET[1]])
 
 
 def gravity_torque(state: BodyState, left_share: float) -> Floats:
@@ -26,10 +21,37 @@ def gravity_torque(state: BodyState, left_share: float) -> Floats:
     Static balance of the parts beyond each joint: their weight and, for the legs, the floor's push at the foot. The ankles
     are left to the balance strategy.
     """
-    gravity = np.array([0.0, 0.0, -state.gravity])
-    joint = state.joint[1:]
-    moment = rotation.cross(state.subtree_com[1:] - joint, state.subtree_mass[1:, None] * gravity)
-    weight = state.subtree_mass[0] * gravity
-    moment[_LEG_JOINTS] -= leg_moments(state, left_share * weight, (1.0 - left_share) * weight)
-    moment[_ANKLES] = 0.0
-    return rotation.turn_back(state.turn[1:], -moment).reshape(-1)
+    return _gravity_torque(state.subtree_mass, state.subtree_com, state.joint, state.box_centre, state.turn, state.gravity, left_share)
+
+
+@compiled
+def _gravity_torque(
+    subtree_mass: Floats, subtree_com: Floats, joint: Floats, box_centre: Floats, turn: Floats, gravity: float, left_share: float
+) -> Floats:
+    torque = np.zeros(3 * len(_SIDE))
+    weight = np.zeros(3)
+    share = (0.0, left_share, 1.0 - left_share)
+    for j in range(len(_SIDE)):
+        if _ANKLE[j]:
+            continue
+        part = j + 1
+        weight[2] = -gravity * subtree_mass[part]
+        moment = one.cross(subtree_com[part] - joint[part], weight)
+        side = _SIDE[j]
+        if side > 0:
+            weight[2] = -gravity * subtree_mass[0] * share[side]
+            moment -= one.cross(box_centre[_FOOT[side]] - joint[part], weight)
+        torque[3 * j : 3 * j + 3] = -one.turn_back(turn[part], moment)
+    return torque
+
+
+@compiled
+def leg_torques(joint: Floats, box_centre: Floats, turn: Floats, left_force: Floats, right_force: Floats) -> Floats:
+    """(42,) N m, child frames, of hips and knees that hold against forces (3,) N of the floor on the two feet: J^T F of each leg."""
+    torque = np.zeros(3 * len(_SIDE))
+    for j in range(len(_SIDE)):
+        side = _SIDE[j]
+        if side > 0:
+            moment = one.cross(box_centre[_FOOT[side]] - joint[j + 1], left_force if side == 1 else right_force)
+            torque[3 * j : 3 * j + 3] = -one.turn_back(turn[j + 1], moment)
+    return torque

@@ -10,18 +10,18 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
-from game.characters.skeleton import JOINTS
+from game import rotation_compiled as one
+from game.characters.skeleton import JOINT_COUNT, JOINTS
+from game.compiled import compiled
 from game.control.ankle_strategy import AnkleStrategy
-from game.control.gravity_feedforward import leg_moments
+from game.control.gravity_feedforward import leg_torques
 from game.control.joint_command import BodyState, JointCommand
 from game.target.kinematic_target import KinematicTarget
 from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
-_LEGS = [JOINTS.index(name) for name in ("hip_left", "knee_left", "hip_right", "knee_right")]
-_HIPS = [JOINTS.index("hip_left"), JOINTS.index("hip_right")]
+_HIPS = np.array([JOINTS.index("hip_left"), JOINTS.index("hip_right")])
 
 
 def leg_torque_of_force(state: BodyState, share: Floats, force: Floats) -> Floats:
@@ -30,17 +30,28 @@ def leg_torque_of_force(state: BodyState, share: Floats, force: Floats) -> Float
     The floor's reaction share * force at the foot turns the parts beyond each joint by (foot - joint) x force; the joint holds
     against it. Static: J^T F with the standing foot as the fixed end.
     """
-    moment = leg_moments(state, share[0] * force, share[1] * force)
-    torque = np.zeros((len(JOINTS), 3))
-    torque[_LEGS] = -rotation.turn_back(state.turn[1:][_LEGS], moment)
-    return torque.reshape(-1)
+    return leg_torques(state.joint, state.box_centre, state.turn, share[0] * force, share[1] * force)
 
 
 def hip_torque_on_pelvis(state: BodyState, share: Floats, torque: Floats) -> Floats:
     """(42,) torques, child frames, of the hips that turn the pelvis with `torque` (3,) N m against the standing thighs."""
-    hips = np.zeros((len(JOINTS), 3))
-    hips[_HIPS] = -rotation.turn_back(state.turn[1:][_HIPS], share[:, None] * torque)
-    return hips.reshape(-1)
+    return _hip_torques(state.turn, share, torque)
+
+
+@compiled
+def _hip_torques(turn: Floats, share: Floats, torque: Floats) -> Floats:
+    out = np.zeros(3 * JOINT_COUNT)
+    for side in range(2):
+        hip = _HIPS[side]
+        out[3 * hip : 3 * hip + 3] = -share[side] * one.turn_back(turn[hip + 1], torque)
+    return out
+
+
+@compiled
+def _turn_from_to(orientation: Floats, wanted: Floats) -> Floats:
+    """(3,) rad, world: the rotation vector from the root's orientation to the wanted one, turned to the root's own heading."""
+    heading = one.about_z(one.yaw(orientation) - one.yaw(wanted))
+    return one.log(one.multiply(one.multiply(heading, wanted), one.conjugate(orientation)))
 
 
 class VirtualActuation(AnkleStrategy):
@@ -69,8 +80,6 @@ class VirtualActuation(AnkleStrategy):
     def _torque_on_pelvis(self, target: KinematicTarget, dynamics: BodyState) -> Floats:
         """(3,) N m, world: towards the target's pelvis, turned to the character's own heading."""
         settings = self._settings
-        heading = rotation.yaw(dynamics.orientation[0]) - rotation.yaw(target.root_orientation)
-        wanted = rotation.multiply(rotation.about_z(heading), target.root_orientation)
-        error = rotation.log(rotation.multiply(wanted, rotation.conjugate(dynamics.orientation[0])))
+        error = _turn_from_to(dynamics.orientation[0], target.root_orientation)
         stiffness, damping = settings.number("balance.pelvis_stiffness"), settings.number("balance.pelvis_damping")
         return stiffness * error - damping * dynamics.root_spin

@@ -10,6 +10,8 @@ import mujoco as mj
 import numpy as np
 from numpy.typing import NDArray
 
+from game.characters.skeleton import DOF_COUNT
+from game.compiled import compiled
 from game.control.joint_command import JointCommand
 from game.physics.dynamics import BodyDynamics
 
@@ -24,6 +26,7 @@ class Actuation:
 
     def __init__(self, model: mj.MjModel, data: mj.MjData, bodies: Sequence[BodyDynamics], *, explicit: bool) -> None:
         self._model, self._data, self._bodies, self._explicit = model, data, bodies, explicit
+        self._first_rows = np.array([b.dofs.start for b in bodies])
         self._goal = data.qpos.copy()
         self._kp = np.zeros(model.nv)
         self._kd = np.zeros(model.nv)
@@ -56,13 +59,21 @@ class Actuation:
         """Write the applied torques and the damping for the coming step."""
         model, data = self._model, self._data
         mj.mj_differentiatePos(model, self._error, 1.0, data.qpos, self._goal)
-        torque = self._kp * self._error + self._offset
-        if self._explicit:
-            torque -= self._kd * data.qvel
-        for body in self._bodies:
-            data.qfrc_applied[body.joint_dofs] = torque[body.joint_dofs]
+        write_torque(self._first_rows, self._kp, self._error, self._offset, self._kd, data.qvel, self._explicit, data.qfrc_applied)
         model.dof_damping[:] = self._damping
 
     def settle(self) -> None:
         """After the step: the torque that acted, with the velocity the integrator evaluated it at."""
         self.torque = self._data.qfrc_applied - self._damping * self._data.qvel
+
+
+@compiled
+def write_torque(
+    first_rows: NDArray[np.int64], kp: Floats, error: Floats, offset: Floats, kd: Floats, velocity: Floats, explicit: bool, out: Floats
+) -> None:
+    """kp e + offset into the joint rows of `out`, less kd v where the whole law is explicit; root rows are left alone."""
+    for first in first_rows:
+        for row in range(first + 6, first + DOF_COUNT):
+            out[row] = kp[row] * error[row] + offset[row]
+            if explicit:
+                out[row] -= kd[row] * velocity[row]

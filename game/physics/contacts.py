@@ -48,15 +48,6 @@ class ContactForces:
         rows = _owner_rows(count)
         return (rows[self.body[:, 1]] - rows[self.body[:, 0]]).T
 
-    def pairs(self) -> set[tuple[int, int]]:
-        """MuJoCo body ids of the partners, each pair once."""
-        return set(zip(*self.body.T.tolist(), strict=True))
-
-    def cone_excess_n(self) -> float:
-        """How far the worst contact leaves the friction cone: negative normal force, or tangential force beyond mu N."""
-        normal = self.wrench[:, 0]
-        return max(-float(normal.min()), float((self.tangential - self.friction * normal).max()))
-
 
 @lru_cache
 def _owner_rows(count: int) -> Floats:

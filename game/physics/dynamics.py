@@ -106,8 +106,13 @@ class BodyDynamics:
     @cached_property
     def foot_contact(self) -> tuple[bool, bool]:
         """Left, right foot: lowest corner below 4 mm."""
-        lowest = self.foot_corners[:, :, 2].min(axis=1)
-        return bool(lowest[0] < CONTACT_HEIGHT_M), bool(lowest[1] < CONTACT_HEIGHT_M)
+        left, right = (self._lowest(foot, half) for foot, half in zip(FEET, self._foot_half, strict=True))
+        return left < CONTACT_HEIGHT_M, right < CONTACT_HEIGHT_M
+
+    def _lowest(self, foot: int, half: Floats) -> float:
+        """Height of the lowest corner of a foot's box: its centre less the box's half extent along the vertical."""
+        (x, y, z), (a, b, c) = self.turn[foot, 2].tolist(), half.tolist()
+        return float(self.box_centre[foot, 2]) - (abs(x) * a + abs(y) * b + abs(z) * c)
 
     def com_height(self) -> float:
         return float(self.com[2])

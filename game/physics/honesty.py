@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
+from game import rotation_compiled as one
 from game.characters.skeleton import PART_COUNT
+from game.compiled import compiled
 from game.physics.contacts import FLOOR, ContactForces, contact_forces
 from game.physics.dynamics import BodyDynamics
 
@@ -35,19 +37,21 @@ class HonestyMeter:
 
     def __init__(self, model: mj.MjModel, data: mj.MjData, bodies: Sequence[BodyDynamics]) -> None:
         self._model, self._data, self._bodies = model, data, bodies
-        self._roots = np.concatenate([np.arange(b.dofs.start, b.dofs.start + 6) for b in bodies])
-        self._root_bodies = np.array([b.root_body for b in bodies])
+        self._first_rows = np.array([b.dofs.start for b in bodies])
+        roots = slice(bodies[0].root_body, None, PART_COUNT)
         # views: MuJoCo steps in place
-        self._position, self._velocity = data.qpos, data.qvel
+        self._position, self._velocity, self._bias = data.qpos, data.qvel, data.qfrc_bias
+        self._root_place, self._root_turn = data.xpos[roots], data.xmat[roots]
         self._end_position = data.qpos.copy()
         self._end_velocity = data.qvel.copy()
-        self._momentum = np.empty(model.nv)
-        self.contacts: ContactForces | None = None
+        self._momentum, self._change = np.empty(model.nv), np.empty(model.nv)
+        self._wrench = np.zeros((64, 6))
+        self._wrench_rows = list(self._wrench)
         self.active = True
         """False while a scene states that roots are held: contacts are still read, nothing is recorded."""
         self.unexplained_force_n: Floats = np.zeros(len(self._bodies))
         self.unexplained_torque_nm: Floats = np.zeros(len(self._bodies))
-        self._pairs: set[tuple[int, int]] = set()
+        self._pairs = np.zeros((model.nbody, model.nbody), dtype=np.bool_)
         self.worst_cone_excess_n = 0.0
         self.accept_state()
 
@@ -58,7 +62,7 @@ class HonestyMeter:
 
     def continues(self) -> bool:
         """True where the state is that in which the last step ended."""
-        return bool((self._position == self._end_position).all() and (self._velocity == self._end_velocity).all())
+        return same(self._position, self._end_position) and same(self._velocity, self._end_velocity)
 
     def take_back(self, body: BodyDynamics) -> None:
         """Put one character back to where the last step ended."""
@@ -77,41 +81,51 @@ class HonestyMeter:
 
     def after_step(self, pushes: Sequence[Push]) -> None:
         """Take the step's balance. The data still holds M, c and contacts of its start."""
-        data, h = self._data, self._model.opt.timestep
-        self.contacts = found = contact_forces(self._model, data)
         if self.active:
-            residual = self._through_mass((self._velocity - self._end_velocity) / h) + data.qfrc_bias[self._roots].reshape(-1, 6)
-            if found is not None:
-                residual -= self._root_forces(found.on_characters(len(self._bodies)), found.force, found.point)
-                self.worst_cone_excess_n = max(self.worst_cone_excess_n, found.cone_excess_n())
-                self._pairs.update(found.pairs())
+            data, count = self._data, self._data.ncon
+            while count > len(self._wrench_rows):
+                self._grow()
+            for i in range(count):
+                mj.mj_contactForce(self._model, data, i, self._wrench_rows[i])
+            np.subtract(self._velocity, self._end_velocity, out=self._momentum)
+            mj.mj_mulM(self._model, data, self._change, self._momentum)
+            contacts = data.contact
+            residual = root_balance(
+                self._change, self._model.opt.timestep, self._bias, self._first_rows, self._root_place, self._root_turn,
+                contacts.pos, contacts.frame, self._wrench[:count], self._model.geom_bodyid[contacts.geom], self._pairs,
+            )  # fmt: skip
+            if count:
+                self.worst_cone_excess_n = max(self.worst_cone_excess_n, cone_excess(self._wrench[:count], contacts.friction))
             for push in pushes:
-                on = (np.arange(len(self._bodies)) == push.character).astype(float)[:, None]
-                residual -= self._root_forces(on, push.force[None], push.point[None])
+                residual[push.character] -= self._root_force_of(push)
             self._record(residual)
         self.accept_state()
 
     @property
+    def contacts(self) -> ContactForces | None:
+        """The contacts of the last step, None where there were none."""
+        return contact_forces(self._model, self._data)
+
+    @property
     def partners(self) -> list[str]:
         """Between whom contact forces acted since `restart`: "floor - c0", "c0 - c1"."""
-        pairs = {tuple(sorted((body - 1) // PART_COUNT for body in pair)) for pair in self._pairs}
-        return sorted(" - ".join("floor" if c == FLOOR else f"c{c}" for c in pair) for pair in pairs)
+        found = {tuple(sorted((int(body) - 1) // PART_COUNT for body in pair)) for pair in np.argwhere(self._pairs)}
+        return sorted(" - ".join("floor" if c == FLOOR else f"c{c}" for c in pair) for pair in found)
 
     def _through_mass(self, acceleration: Floats) -> Floats:
-        mj.mj_mulM(self._model, self._data, self._momentum, acceleration)
-        return self._momentum[self._roots].reshape(-1, 6)
+        """(characters, 6) root rows of M times an acceleration (nv,)."""
+        mj.mj_mulM(self._model, self._data, self._change, acceleration)
+        return np.array([self._change[first : first + 6] for first in self._first_rows])
 
-    def _root_forces(self, on: Floats, force: Floats, point: Floats) -> Floats:
-        """(characters, 6) generalised forces on the roots: `on` (characters, n) says with which sign forces (n, 3) at points act.
+    def _root_force_of(self, push: Push) -> Floats:
+        """(6,) a push as a force on its character's root: world force, torque about the root in the root's frame."""
+        arm = push.point - self._root_place[push.character]
+        torque = rotation.cross(arm, push.force) @ self._root_turn[push.character].reshape(3, 3)
+        return np.concatenate((push.force, torque))
 
-        World force, and torque about the root in the root's frame, as in MuJoCo's free joint.
-        """
-        wrench = np.empty((len(force), 6))
-        wrench[:, :3], wrench[:, 3:] = force, rotation.cross(point, force)
-        out = on @ wrench
-        about_root = out[:, 3:] - rotation.cross(self._data.xpos[self._root_bodies], out[:, :3])
-        out[:, 3:] = rotation.turn_back(self._data.xmat[self._root_bodies].reshape(-1, 3, 3), about_root)
-        return out
+    def _grow(self) -> None:
+        self._wrench = np.zeros((2 * len(self._wrench), 6))
+        self._wrench_rows = list(self._wrench)
 
     def _record(self, residual: Floats) -> None:
         if not self.active:
@@ -119,3 +133,55 @@ class HonestyMeter:
         for row, (x, y, z, a, b, c) in enumerate(residual.tolist()):
             self.unexplained_force_n[row] = max(self.unexplained_force_n[row], math.sqrt(x * x + y * y + z * z))
             self.unexplained_torque_nm[row] = max(self.unexplained_torque_nm[row], math.sqrt(a * a + b * b + c * c))
+
+
+@compiled
+def root_balance(
+    change: Floats, step_s: float, bias: Floats, first_rows: NDArray[np.int64], root_place: Floats, root_turn: Floats,
+    point: Floats, frame: Floats, wrench: Floats, body: NDArray[np.int32], pairs: NDArray[np.bool_],
+) -> Floats:  # fmt: skip
+    """(characters, 6) what nothing explains in the root rows: M dv / h + c minus the contact forces; notes who touched whom.
+
+    change (nv,): M dv; root_place (characters, 3), root_turn (characters, 9); point (n, 3), frame (n, 9), wrench (n, 6), body (n, 2).
+    """
+    residual = np.empty((len(first_rows), 6))
+    for character in range(len(first_rows)):
+        first = first_rows[character]
+        for row in range(6):
+            residual[character, row] = change[first + row] / step_s + bias[first + row]
+    force = np.empty(3)
+    for i in range(len(point)):
+        pairs[body[i, 0], body[i, 1]] = True
+        for axis in range(3):
+            force[axis] = frame[i, axis] * wrench[i, 0] + frame[i, 3 + axis] * wrench[i, 1] + frame[i, 6 + axis] * wrench[i, 2]
+        for side in range(2):
+            if body[i, side] == 0:
+                continue
+            character = (body[i, side] - 1) // PART_COUNT
+            sign = 1.0 if side == 1 else -1.0
+            torque = one.cross(point[i] - root_place[character], force)
+            turn = root_turn[character]
+            for axis in range(3):
+                residual[character, axis] -= sign * force[axis]
+                in_root = turn[axis] * torque[0] + turn[3 + axis] * torque[1] + turn[6 + axis] * torque[2]
+                residual[character, 3 + axis] -= sign * in_root
+    return residual
+
+
+@compiled
+def cone_excess(wrench: Floats, friction: Floats) -> float:
+    """N, how far the worst contact leaves the friction cone: negative normal force, or tangential force beyond mu N."""
+    worst = -np.inf
+    for i in range(len(wrench)):
+        tangential = math.sqrt(wrench[i, 1] * wrench[i, 1] + wrench[i, 2] * wrench[i, 2])
+        worst = max(worst, -wrench[i, 0], tangential - friction[i, 0] * wrench[i, 0])
+    return worst
+
+
+@compiled
+def same(a: Floats, b: Floats) -> bool:
+    """Equal number by number."""
+    for i in range(len(a)):
+        if a[i] != b[i]:
+            return False
+    return True
