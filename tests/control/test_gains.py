@@ -6,7 +6,7 @@ import pytest
 from game.characters.body_plan import load_body_plan
 from game.characters.skeleton import JOINTS
 from game.control.gains import LEAST_RADIUS_SHARE, MANUAL_RATIO, T0_KG_M, dynamic_ratio, gains
-from tests.physics.standing import hold, run, world_of
+from tests.physics.standing import bent, hold, run, world_of
 
 ARM = {"upper": (4.198, 1.350), "lower": (2.797, 1.050), "hand": (1.200, 0.825)}
 HEAD_KG, HEAD = 5.904, (0.01, 1.680)
@@ -90,8 +90,6 @@ def test_manual_ratios_are_the_standing_ones_within_a_fifth_and_do_not_follow_th
 
 def test_a_raised_arm_is_stiffer_where_it_has_the_longer_lever():
     world = world_of((0, 0, 0))
-    from tests.physics.standing import bent
-
     run(world, 240, lambda body, _: hold(body, bent(shoulder_left=(-1.5, 0.0, 0.0), shoulder_right=(1.5, 0.0, 0.0))))
     world.refresh()
     idle = world_of((0, 0, 0)).characters[0]

@@ -8,7 +8,7 @@ import pytest
 
 from game.characters.skeleton import ANKLES, FEET, JOINTS
 from game.control.gravity_feedforward import gravity_torque
-from tests.physics.standing import bent, hold, run, thrash, world_of
+from tests.physics.standing import bent, hold, original, run, thrash, world_of
 
 ANKLE_ROWS = np.concatenate([np.arange(3 * a, 3 * a + 3) for a in ANKLES])
 POSES = {
@@ -44,8 +44,6 @@ def test_in_the_second_character_it_is_the_same_turned_about():
 def test_joints_held_by_it_alone_do_not_begin_to_move():
     """Standing over the middle of the feet, stiffness next to nothing: from rest only the ankles accelerate."""
     # the idle COM is 49 mm behind the middle of the feet, so the foot boxes are moved back under it
-    from tests.physics.standing import original
-
     plan = original()
     centre = plan.centre.copy()
     for foot in FEET:

@@ -244,7 +244,7 @@ def test_an_input_without_anybody_is_refused_in_words():
 def test_frames_without_a_body_hold_the_last_good_target_and_say_so():
     settings = Settings()
     fighter = Fighter(0, load_body_plan("original"), lambda: Blind(0.7), settings, mirrored=False)
-    simulation = advance(Simulation([fighter], settings), HANG_FRAMES + 40)
+    simulation = advance(Simulation([fighter], settings), HANG_FRAMES + 50)
     held = fighter.target
     assert 0.5 < held.time_s < 0.7
     advance(simulation, 20)
