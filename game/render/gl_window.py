@@ -154,12 +154,21 @@ def _open_glfw(width: int, height: int, title: str, *, headless: bool, samples: 
     glfw.make_context_current(handle)
     glfw.swap_interval(1 if vsync else 0)
     try:
-        ctx = moderngl.create_context(require=330)
+        ctx = _context_of_the_window()
     except Exception as broken:
         glfw.destroy_window(handle)
         _open_windows -= 1
         raise NoPicture(f"There is no OpenGL 3.3 here ({broken}). {_REMEDY}") from broken
     return GLWindow(ctx, "egl" if headless else "window", handle)
+
+
+def _context_of_the_window() -> moderngl.Context:
+    # create_context() looks for EGL only in the first context of a process, and for nothing but GLX in later ones
+    moderngl.init_context()
+    ctx = moderngl.get_context()
+    if ctx.version_code < 330:
+        raise RuntimeError(f"only OpenGL {ctx.version_code / 100:.1f}")
+    return ctx
 
 
 def _hint(glfw: Any, headless: bool, samples: int) -> None:

@@ -22,6 +22,13 @@ def test_what_is_cleared_is_read_back(window: GLWindow) -> None:
     assert read_pixels(window.ctx.screen, (320, 180))[0, 0].tolist() == pytest.approx([255, 128, 0], abs=1)
 
 
+def test_a_second_window_is_of_the_first_ones_kind_beside_it_and_after_it(window: GLWindow) -> None:
+    opened = "print(open_gl(64, 36, 't', headless=True).kind)\n"
+    code = "import game\nfrom game.render.gl_window import open_gl\nfirst = open_gl(64, 36, 't', headless=True)\n" + opened
+    code += "first.close()\n" + opened
+    assert python(code).stdout.split() == [window.kind, window.kind]
+
+
 def test_an_unknown_way_to_draw_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TOPPLE_GL", "vulkan")
     with pytest.raises(NoPicture, match="valid: egl, osmesa"):
