@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 from game import rotation
 from game.characters.body_plan import BodyPlan
-from game.characters.skeleton import FEET
+from game.characters.skeleton import ANKLES, FEET
 from game.target.forward_kinematics import pose_skeleton
 
 Floats = NDArray[np.float64]
@@ -33,6 +33,15 @@ def hanging_root(plan: BodyPlan, place_xy: Floats, root_orientation: Floats, joi
     pose = pose_skeleton(plan, origin, upright, joint_rotation)
     sole = pose.joint[feet, 2].min() - plan.joint[feet[0], 2]
     return np.array([*place_xy, SOLE_CLEARANCE_M - float(sole)]), rotation.normalise(upright)
+
+
+def level_feet(plan: BodyPlan, root_orientation: Floats, joint_rotation: Floats) -> Floats:
+    """The pose (14, 4) with the feet level, each ahead of its own shank: sensed feet may point through the floor."""
+    shank = pose_skeleton(plan, np.zeros(3), root_orientation, joint_rotation).orientation[np.array(FEET) - 1]
+    level = joint_rotation.copy()
+    for ankle, turn in zip(ANKLES, shank, strict=True):
+        level[ankle] = rotation.multiply(rotation.conjugate(turn), rotation.about_z(rotation.yaw(turn)))
+    return level
 
 
 def _sole_centre(plan: BodyPlan) -> Floats:

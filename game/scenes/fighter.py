@@ -13,7 +13,7 @@ from game.control.strategies import STRATEGIES
 from game.inputs.sensor_noise import SensorNoise
 from game.intake.intake import Intake
 from game.intake.world_frame import WorldFrame
-from game.physics.hang import hanging_root, hold_root, release_root
+from game.physics.hang import hanging_root, hold_root, level_feet, release_root
 from game.physics.world import World
 from game.target.calibration import QUIET_S, Calibration, calibrate, quietest_stretch
 from game.target.kinematic_target import KinematicTarget, TargetTracker
@@ -86,7 +86,7 @@ class Fighter:
         target = self.target
         position, orientation = hanging_root(self.plan, self._place, target.root_orientation, target.joint_rotation)
         orientation = rotation.multiply(rotation.about_z(self.facing_rad), orientation)
-        world.place(self.index, position, orientation, target.joint_rotation)
+        world.place(self.index, position, orientation, level_feet(self.plan, orientation, target.joint_rotation))
         hold_root(world.model, world.data, self.index, position, orientation)
         self.strategy.reset(world.characters[self.index])
 

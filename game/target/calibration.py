@@ -108,7 +108,9 @@ def calibrate(plan: BodyPlan, standing: Floats) -> Calibration:
     measured = bone_directions(joints)
     legs = [i for i, name in enumerate(PARTS) if "leg" in name or "foot" in name or name == "head"]
     seen = rotation.unrotate(upright, measured[legs])
-    near = np.sum(seen * idle[legs], axis=1) > np.cos(STRAIGHT_RAD)
+    # a standing foot is flat, however steeply the sensor sees the line from ankle to toes
+    limit = np.where([PARTS[i].startswith("foot") for i in legs], np.pi, STRAIGHT_RAD)
+    near = np.sum(seen * idle[legs], axis=1) > np.cos(limit)
     calibrated = idle.copy()
     calibrated[legs] = np.where(near[:, None], seen, idle[legs])
 
