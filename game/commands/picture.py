@@ -65,7 +65,7 @@ def draw(
     options = Options(
         headless=headless,
         size=size,
-        quality=arguments.quality or ("medium" if headless else "high"),
+        quality=arguments.quality,
         seconds=arguments.seconds,
         picture=picture,
         video=video,

@@ -13,6 +13,10 @@ from game.tunables import TUNABLES, Settings, TunableError
 from game.undrawn import run_undrawn
 from game.warm_up import tell_of_compiling
 
+USUAL_SIZE = "1280x720"
+UNASKED_SIZE = "960x540"
+"""Of a film that is drawn because there is no display: nobody chose to wait for it."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
@@ -25,8 +29,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--ik", metavar="NAME", help="short for --set ik.method=NAME")
     add("--headless", action="store_true", help="draw off-screen")
     add("--seconds", type=float, metavar="S", help="stop after so much simulated time")
-    add("--size", default="1280x720", metavar="WxH", help="of the picture (default 1280x720)")
-    add("--quality", choices=("low", "medium", "high"), help="of the picture (default high, headless medium)")
+    add("--size", metavar="WxH", help="of the picture (default 1280x720; without a display and --headless 960x540)")
+    add("--quality", choices=("low", "medium", "high"), help="of the picture (default high, low where the processor has to draw)")
     add("--no-draw", action="store_true", help="simulate only; needs no graphics")
     add("--seed", type=int, default=0, help="of everything random (default 0)")
     add("--report", type=Path, metavar="FILE.json", help="write what was measured")
@@ -40,12 +44,12 @@ def run(arguments: argparse.Namespace) -> int:
         print(tunable_list())
         return DONE
     settings = settings_from(arguments)
-    size = parse_size(arguments.size)
     if arguments.seconds is not None and not 0.0 < arguments.seconds <= 86400.0:
         raise BadInput(f"--seconds must lie between 0 and 86400, not {arguments.seconds:g}.")
     check_outputs(arguments)
     headless = not arguments.no_draw and (arguments.headless or not has_display())
     announce = headless and not arguments.headless
+    size = parse_size(arguments.size or (UNASKED_SIZE if announce else USUAL_SIZE))
     if announce and arguments.input == "auto":
         arguments.input = "performer:boxing"
     tell_of_compiling()

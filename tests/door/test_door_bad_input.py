@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from game.commands import BAD_INPUT, main
-from tests.door.the_door import knock
+from tests.door.the_door import knock, without_compiling
 from tests.kinect.recordings import moving_clip, raw_fields
 
 Outcome = tuple[int, str]
@@ -36,7 +36,7 @@ def refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
             status = int(str(left.code))
         said = capsys.readouterr()
         assert said.out == "", "nothing may have begun"
-        return status, said.err
+        return status, without_compiling(said.err)
 
     return run
 

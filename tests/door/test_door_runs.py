@@ -149,7 +149,7 @@ def test_without_graphics_nothing_that_draws_is_imported(folder: Path) -> None:
     assert visit.status == 0
     imported = {line.split("|")[-1].strip() for line in visit.err.splitlines() if line.startswith("import time:")}
     assert {"numpy", "mujoco", "game.scenes.mirror"} <= imported
-    drawing = {"moderngl", "glfw", "imgui_bundle", "av", "PIL", "game.render", "game.overlay", "OpenGL", "scipy"}
+    drawing = {"moderngl", "glfw", "imgui_bundle", "av", "PIL", "game.render", "game.overlay", "OpenGL"}
     assert {name for name in imported if name in drawing or name.split(".")[0] in drawing} == set()
 
 

@@ -28,7 +28,12 @@ def knock(folder: Path, *words: str, python: tuple[str, ...] = (), **environment
     env = {**inherited, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "XDG_CONFIG_HOME": str(folder / "config"), **environment}
     command = [sys.executable, *python, str(RUN_GAME), *words]
     ended = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, timeout=120, check=False)
-    return Visit(ended.returncode, ended.stdout, ended.stderr)
+    return Visit(ended.returncode, ended.stdout, without_compiling(ended.stderr))
+
+
+def without_compiling(said: str) -> str:
+    """What was said on stderr without the announcement of a first start, which may come or not."""
+    return "".join(line for line in said.splitlines(keepends=True) if not line.startswith("topple: compiling "))
 
 
 def read_report(path: Path) -> dict[str, Any]:
