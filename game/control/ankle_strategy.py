@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
-from game.characters.skeleton import ANKLES, FEET, PARTS
+from game.characters.skeleton import ANKLES, FEET, JOINT_COUNT, PARTS
 from game.compiled import compiled
 from game.control.gains import gains
 from game.control.gravity_feedforward import gravity_torque
@@ -16,6 +16,8 @@ Floats = NDArray[np.float64]
 
 _SHANKS = np.array([PARTS.index("lower_leg_left"), PARTS.index("lower_leg_right")])
 _FEET, _ANKLES = np.array(FEET), list(ANKLES)
+
+_NO_TORQUE = np.zeros(3 * JOINT_COUNT)
 
 LEAST_COM_HEIGHT_M = 0.1
 """Below this above the COS nothing is left to balance."""
@@ -103,7 +105,7 @@ class AnkleStrategy:
         clamp = settings.number("balance.ankle_clamp_rad")
         rotations[_ANKLES] = ankle_rotations(self._correction(target, dynamics), dynamics.foot_contact, dynamics.orientation, clamp)
         velocity.reshape(-1, 3)[_ANKLES] = 0.0
-        feedforward = np.zeros_like(kp)
+        feedforward = _NO_TORQUE
         if settings.switch("pd.gravity_feedforward"):
             feedforward = gravity_torque(dynamics, self.left_share)
         return JointCommand(rotations, velocity, kp, kd, feedforward)
@@ -111,9 +113,9 @@ class AnkleStrategy:
     def _correction(self, target: KinematicTarget, dynamics: BodyState) -> Floats:
         """The turn (4,) of the whole body about the COS that brings the COM to its target."""
         settings = self._settings
-        left, right = target.pose.joint[_FEET]
+        left, right = target.pose.joint[FEET[0]], target.pose.joint[FEET[1]]
         self.left_share = w = left_share(target.com, left, right, dynamics.foot_contact)
-        cos = w * dynamics.box_centre[_FEET[0]] + (1.0 - w) * dynamics.box_centre[_FEET[1]]
+        cos = w * dynamics.box_centre[FEET[0]] + (1.0 - w) * dynamics.box_centre[FEET[1]]
         offset = target.com - (w * left + (1.0 - w) * right)
         self.target_offset = _turned_to_heading(offset, dynamics.orientation[0], target.root_orientation)
         com = dynamics.com - cos

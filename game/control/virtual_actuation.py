@@ -5,8 +5,6 @@ the COM over the centre of support and a torque set the pelvis upright. Both are
 transposed Jacobian of the leg, and the floor gives what it can.
 """
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -67,7 +65,7 @@ class VirtualActuation(AnkleStrategy):
         share = np.array([self.left_share, 1.0 - self.left_share]) * dynamics.foot_contact
         self.force, self.pelvis_torque = self._com_force(dynamics), self._torque_on_pelvis(target, dynamics)
         legs = leg_torque_of_force(dynamics, share, self.force) + hip_torque_on_pelvis(dynamics, share, self.pelvis_torque)
-        return replace(command, feedforward=command.feedforward + legs)
+        return JointCommand(command.rotation, command.velocity, command.kp, command.kd, command.feedforward + legs)
 
     def _com_force(self, dynamics: BodyState) -> Floats:
         """(3,) N, level: towards the place over the COS, against the COM's velocity."""

@@ -1,5 +1,6 @@
 """What a sensor may have got wrong: lost joints are held, inferred ones slowed, impossible frames refused with a reason."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -43,6 +44,8 @@ class Plausibility:
         last = self._last
         if not np.isfinite(frame.time_s) or (last is not None and frame.time_s <= last.time_s):
             return f"a frame's time does not advance ({frame.time_s:.3f} s): it is dropped"
+        if last is not None and _all_seen(frame):
+            return self._jump(frame, last, jump_limit_m)
         seen = np.asarray(np.isfinite(frame.positions).all(axis=1) & (frame.confidence > 0.0), dtype=np.bool_)
         if not seen[Joint.HIP_CENTER]:
             return "the hip centre is lost: the last pose is held"
@@ -50,13 +53,18 @@ class Plausibility:
             return "not all joints are seen yet: step back until your whole body is in view"
         if seen.sum() < JOINT_COUNT // 2:
             return f"only {int(seen.sum())} of 20 joints are seen: the last pose is held"
-        if last is not None and frame.time_s - last.time_s < GAP_S:
-            jump = float(np.linalg.norm(frame.positions[Joint.HIP_CENTER] - last.positions[Joint.HIP_CENTER]))
+        return "" if last is None else self._jump(frame, last, jump_limit_m)
+
+    def _jump(self, frame: BodyFrame, last: BodyFrame, jump_limit_m: float) -> str:
+        if frame.time_s - last.time_s < GAP_S:
+            jump = math.dist(frame.positions[Joint.HIP_CENTER], last.positions[Joint.HIP_CENTER])
             if jump > jump_limit_m:
                 return f"the hip centre jumps {jump:.2f} m between two frames: the last pose is held"
         return ""
 
     def _repair(self, frame: BodyFrame) -> BodyFrame:
+        if _all_seen(frame):
+            return frame
         finite = np.isfinite(frame.positions).all(axis=1)
         confidence = np.where(finite, np.nan_to_num(frame.confidence), 0.0)
         if self._last is None or (confidence >= 1.0).all():
@@ -69,3 +77,8 @@ class Plausibility:
         share = np.minimum(INFERRED_BLEND, reach / np.maximum(length, 1e-9))
         share = np.where(confidence >= 1.0, 1.0, np.where(confidence > 0.0, share, 0.0))
         return replace(frame, positions=held + share[:, None] * step, confidence=confidence)
+
+
+def _all_seen(frame: BodyFrame) -> bool:
+    """Every joint tracked and finite: the usual frame, which needs no repair."""
+    return bool(frame.confidence.min() >= 1.0) and math.isfinite(frame.positions.sum())

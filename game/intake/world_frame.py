@@ -64,14 +64,25 @@ class Levelling:
     def __init__(self) -> None:
         self._floor: Floor | None = None
         self._guessed = True
+        self._offered: Floor | None = None
+        self._turn, self._shift = np.eye(3), np.zeros(3)
 
     def apply(self, frame: BodyFrame) -> Floats:
         """Joints (20, 3) of the frame in the world frame, metres."""
-        if frame.floor is not None and all(np.isfinite(frame.floor)) and np.hypot(np.hypot(*frame.floor[:2]), frame.floor[2]) > 0.1:
-            self._floor, self._guessed = frame.floor, False
+        floor = frame.floor
+        if floor is not None and floor == self._offered:
+            pass
+        elif floor is not None and all(np.isfinite(floor)) and np.hypot(np.hypot(*floor[:2]), floor[2]) > 0.1:
+            self._offered, self._guessed = floor, False
+            self._stand_on(floor)
         elif self._guessed:
             guess = floor_from_ankles(frame.positions)
             if self._floor is None or guess.d > self._floor.d:
-                self._floor = guess
-        assert self._floor is not None
-        return to_world(level_over_floor(frame.positions, self._floor))
+                self._stand_on(guess)
+        return frame.positions @ self._turn + self._shift
+
+    def _stand_on(self, floor: Floor) -> None:
+        """Both steps are affine, so one matrix and one shift do them for every frame over the same floor."""
+        self._floor = floor
+        corners = to_world(level_over_floor(np.vstack((np.zeros(3), np.eye(3))), floor))
+        self._turn, self._shift = corners[1:] - corners[0], corners[0]

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import DOF_COUNT, FEET, PART_COUNT
+from game.compiled import compiled
 
 Floats = NDArray[np.float64]
 
@@ -33,6 +34,7 @@ class BodyDynamics:
         self.coordinates = slice(POSITION_COUNT * index, POSITION_COUNT * (index + 1))
         self.subtree_mass: Floats = np.array(model.body_subtreemass[self.bodies])
         self._foot_half = plan.size[list(FEET)] / 2.0
+        self._feet = tuple(zip(FEET, self._foot_half, strict=True))
         self.refresh()
 
     def refresh(self) -> None:
@@ -106,13 +108,14 @@ class BodyDynamics:
     @cached_property
     def foot_contact(self) -> tuple[bool, bool]:
         """Left, right foot: lowest corner below 4 mm."""
-        left, right = (self._lowest(foot, half) for foot, half in zip(FEET, self._foot_half, strict=True))
+        left, right = (lowest_corner(self.turn[foot], self.box_centre[foot], half) for foot, half in self._feet)
         return left < CONTACT_HEIGHT_M, right < CONTACT_HEIGHT_M
-
-    def _lowest(self, foot: int, half: Floats) -> float:
-        """Height of the lowest corner of a foot's box: its centre less the box's half extent along the vertical."""
-        (x, y, z), (a, b, c) = self.turn[foot, 2].tolist(), half.tolist()
-        return float(self.box_centre[foot, 2]) - (abs(x) * a + abs(y) * b + abs(z) * c)
 
     def com_height(self) -> float:
         return float(self.com[2])
+
+
+@compiled
+def lowest_corner(turn: Floats, centre: Floats, half: Floats) -> float:
+    """Height (m) of a box's lowest corner: its centre less its half extent along the vertical; turn (3, 3), half (3,)."""
+    return centre[2] - abs(turn[2, 0]) * half[0] - abs(turn[2, 1]) * half[1] - abs(turn[2, 2]) * half[2]

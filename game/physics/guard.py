@@ -1,11 +1,11 @@
 """What may go into a step and what may come out of it: finite, bounded, or else the character at fault goes limp."""
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiled import compiled
 from game.control.joint_command import JointCommand
 from game.physics.dynamics import BodyDynamics
 
@@ -22,13 +22,22 @@ TORQUE_LIMIT_NM = 1e5
 
 def command_is_sound(command: JointCommand) -> bool:
     """Every number finite, quaternions of unit length, gains not negative."""
-    # a sum is finite only if all its terms are, and no comparison holds for NaN
-    if not math.isfinite(command.rotation.sum() + command.velocity.sum() + command.kp.sum() + command.kd.sum()):
-        return False
-    if command.kp.min() < 0.0 or command.kd.min() < 0.0 or not np.abs(command.feedforward).max() < TORQUE_LIMIT_NM:
-        return False
-    length = (command.rotation * command.rotation).sum(axis=1)
-    return bool(length.min() > 1.0 - 1e-6 and length.max() < 1.0 + 1e-6)
+    return _sound(command.rotation, command.velocity, command.kp, command.kd, command.feedforward)
+
+
+@compiled
+def _sound(rotation: Floats, velocity: Floats, kp: Floats, kd: Floats, feedforward: Floats) -> bool:
+    # written so that every comparison with NaN refuses
+    for row in range(len(rotation)):
+        q = rotation[row]
+        if not abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) < 1e-6:
+            return False
+    for row in range(len(kp)):
+        if not (0.0 <= kp[row] < np.inf and 0.0 <= kd[row] < np.inf):
+            return False
+        if not (abs(velocity[row]) < np.inf and abs(feedforward[row]) < TORQUE_LIMIT_NM):
+            return False
+    return True
 
 
 def unsound_characters(bodies: Sequence[BodyDynamics], position: Floats, velocity: Floats) -> list[int]:

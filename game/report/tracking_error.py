@@ -6,8 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
+from game import rotation_compiled as one
 from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import END_EFFECTOR_PARTS, JOINTS
+from game.compiled import compiled
 from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
 from game.target.kinematic_target import KinematicTarget
 
@@ -32,14 +34,25 @@ class PosedBody(Protocol):
         ...
 
 
+@compiled
 def in_heading(points: Floats, root_position: Floats, root_orientation: Floats) -> Floats:
     """Points (n, 3) relative to the root, turned so that its heading is along x: neither place nor direction in the room counts."""
-    return rotation.turn_back(rotation.matrix(rotation.about_z(rotation.yaw(root_orientation))), points - root_position)
+    heading = one.matrix(one.about_z(one.yaw(root_orientation)))
+    out = np.empty((len(points), 3))
+    for i in range(len(points)):
+        out[i] = one.turn_back(heading, points[i] - root_position)
+    return out
 
 
-def _angles(from_q: Floats, to_q: Floats) -> Floats:
-    """(n, 3) absolute angle of each axis between orientations (n, 4)."""
-    return np.abs(rotation.log(rotation.multiply(rotation.conjugate(from_q), to_q)))
+@compiled
+def _mean_angles(own: Floats, wanted: Floats, heading_rad: float) -> Floats:
+    """(n,) mean absolute angle of the three axes between orientations (n, 4), the wanted ones first turned about the vertical."""
+    heading = one.about_z(heading_rad)
+    out = np.empty(len(own))
+    for i in range(len(own)):
+        error = one.log(one.multiply(one.conjugate(own[i]), one.multiply(heading, wanted[i])))
+        out[i] = (abs(error[0]) + abs(error[1]) + abs(error[2])) / 3.0
+    return out
 
 
 class TrackingError:
@@ -66,9 +79,9 @@ class TrackingError:
             self._effector[key] += np.sqrt(np.sum((own - place) ** 2, axis=1))
 
     def _add(self, key: str, body: PosedBody, joint_rotation: Floats, pose: PosedSkeleton, rotations: Floats) -> None:
-        self._sums[key][0] += _angles(joint_rotation, rotations).mean(axis=1)
-        heading = rotation.about_z(rotation.yaw(body.orientation[0]) - rotation.yaw(pose.orientation[0]))
-        self._sums[key][1] += _angles(body.orientation[1:], rotation.multiply(heading, pose.orientation[1:])).mean(axis=1)
+        self._sums[key][0] += _mean_angles(joint_rotation, rotations, 0.0)
+        heading = rotation.yaw(body.orientation[0]) - rotation.yaw(pose.orientation[0])
+        self._sums[key][1] += _mean_angles(body.orientation[1:], pose.orientation[1:], heading)
 
     def summary(self) -> dict[str, float | str | None]:
         """The report's entries; None where nothing was sampled."""
