@@ -37,16 +37,30 @@ class BodyState(Protocol):
     box_centre: Floats
     """(15, 3)"""
     com: Floats
-    com_velocity: Floats
-    root_spin: Floats
-    """(3,) rad/s, angular velocity of the pelvis, world frame."""
     subtree_com: Floats
     """(15, 3) centre of mass of each part with all that hangs on it."""
     subtree_mass: Floats
     """(15,)"""
-    foot_contact: tuple[bool, bool]
-    """left, right foot on the floor"""
-    gravity: float
+
+    @property
+    def com_velocity(self) -> Floats:
+        """(3,) m/s, of the centre of mass."""
+        ...
+
+    @property
+    def root_spin(self) -> Floats:
+        """(3,) rad/s, angular velocity of the pelvis, world frame."""
+        ...
+
+    @property
+    def foot_contact(self) -> tuple[bool, bool]:
+        """Left, right foot on the floor."""
+        ...
+
+    @property
+    def gravity(self) -> float:
+        """m/s^2, positive."""
+        ...
 
 
 class BalanceStrategy(Protocol):

@@ -46,7 +46,7 @@ class BodyDynamics:
         self.box_centre: Floats = data.xipos[self.bodies].copy()
         self.subtree_com: Floats = data.subtree_com[self.bodies].copy()
         self.com: Floats = self.subtree_com[0]
-        for name in ("com_velocity", "foot_corners", "foot_contact", "com_jacobian"):
+        for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian"):
             self.__dict__.pop(name, None)
 
     @property
@@ -77,9 +77,13 @@ class BodyDynamics:
         return full[:, self.dofs]
 
     @cached_property
+    def _com_velocity(self) -> Floats:
+        return self.com_jacobian @ self._data.qvel[self.dofs]
+
+    @property
     def com_velocity(self) -> Floats:
         """(3,) m/s."""
-        return self.com_jacobian @ self._data.qvel[self.dofs]
+        return self._com_velocity
 
     @property
     def root_spin(self) -> Floats:
@@ -106,10 +110,14 @@ class BodyDynamics:
         return self.box_centre[feet][:, None, :] + local @ self.turn[feet].transpose(0, 2, 1)
 
     @cached_property
-    def foot_contact(self) -> tuple[bool, bool]:
-        """Left, right foot: lowest corner below 4 mm."""
+    def _foot_contact(self) -> tuple[bool, bool]:
         left, right = (lowest_corner(self.turn[foot], self.box_centre[foot], half) for foot, half in self._feet)
         return left < CONTACT_HEIGHT_M, right < CONTACT_HEIGHT_M
+
+    @property
+    def foot_contact(self) -> tuple[bool, bool]:
+        """Left, right foot: lowest corner below 4 mm."""
+        return self._foot_contact
 
     def com_height(self) -> float:
         return float(self.com[2])

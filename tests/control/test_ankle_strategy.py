@@ -9,8 +9,8 @@ from game.control.ankle_strategy import AnkleStrategy, com_target, left_share
 from game.control.joint_command import JointCommand
 from game.control.strategies import STRATEGIES
 from game.physics.dynamics import BodyDynamics
-from game.target.kinematic_target import KinematicTarget, MappedInput
 from game.target.forward_kinematics import pose_skeleton
+from game.target.kinematic_target import KinematicTarget, MappedInput
 from game.tunables import Settings
 from tests.physics.standing import bent, idle_joints, original, run, world_of
 
@@ -31,7 +31,9 @@ def target_of(joints: np.ndarray, root_orientation: np.ndarray = rotation.IDENTI
 
 def ankle_errors(body: BodyDynamics, command: JointCommand) -> list[float]:
     """How far, rad, each ankle is asked to turn from where it is."""
-    return [float(np.linalg.norm(rotation.log(rotation.multiply(rotation.conjugate(body.joint_rotation[a]), command.rotation[a])))) for a in ANKLES]
+    ankles = list(ANKLES)
+    asked = rotation.multiply(rotation.conjugate(body.joint_rotation[ankles]), command.rotation[ankles])
+    return np.linalg.norm(rotation.log(asked), axis=1).tolist()
 
 
 # Eq. 3.9 to 3.11

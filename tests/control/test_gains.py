@@ -63,7 +63,7 @@ def test_the_ankle_moves_all_the_rest_of_the_body(idle):
 
 
 def test_left_and_right_are_alike_when_standing(idle):
-    table = dict(zip(JOINTS, dynamic_ratio(idle).reshape(14, 3), strict=True))
+    table: dict[str, np.ndarray] = dict(zip(JOINTS, dynamic_ratio(idle).reshape(14, 3), strict=True))
     for joint in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle"):
         np.testing.assert_allclose(table[f"{joint}_left"], table[f"{joint}_right"], rtol=1e-9)
 

@@ -72,12 +72,13 @@ def test_in_the_air_no_virtual_force_acts():
 def test_a_com_ahead_of_its_place_is_drawn_back_and_never_up():
     world = world_of((0, 0, 0))
     world.place(0, original().joint[0], rotation.exp(np.array([0.0, 0.15, 0.0])), idle_joints())
-    strategy = VirtualActuation(Settings())
+    settings = Settings()
+    strategy = VirtualActuation(settings)
     strategy.command(target_of(idle_joints()), world.characters[0], 1 / 120)
-    expected = TUNABLES["balance.com_stiffness"].default * (strategy.cos[0] - world.characters[0].com[0]) * original().total_mass
+    expected = settings.number("balance.com_stiffness") * (strategy.cos[0] - world.characters[0].com[0]) * original().total_mass
     assert strategy.force[0] == pytest.approx(expected) and strategy.force[0] < 0.0
     assert strategy.force[2] == 0.0
-    assert strategy.pelvis_torque[1] == pytest.approx(-0.15 * TUNABLES["balance.pelvis_stiffness"].default)
+    assert strategy.pelvis_torque[1] == pytest.approx(-0.15 * settings.number("balance.pelvis_stiffness"))
 
 
 @pytest.mark.parametrize("first", STRATEGIES)

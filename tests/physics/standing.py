@@ -36,7 +36,7 @@ def idle_joints() -> Floats:
 
 
 def world_of(*places: Sequence[float], plan: BodyPlan | None = None, joints: Floats | None = None, **settings: object) -> World:
-    """Characters at rest, idle unless `joints` are given, their soles z above the floor at places (x, y, z); each even one looks ahead, each odd one back.
+    """Characters at rest, idle unless `joints` are given, at places (x, y, z), soles z above the floor; every second one faces back.
 
     Settings are given with a double underscore for the point: physics__friction=0.1.
     """

@@ -1,6 +1,7 @@
 """The PD law against closed forms: one joint alone, all joints at once, and the explicit torques of the thesis."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ TWIST = 3 * WRIST + 2
 KP, KD, GOAL_RAD = 3.0, 0.02, 0.8
 
 
-def nearly_fixed_arm(**settings: object) -> World:
+def nearly_fixed_arm(**settings: Any) -> World:
     """Weightless flight of a body so heavy that only the left hand can turn: one joint alone."""
     plan = original()
     mass = np.full(15, 1e9)

@@ -12,7 +12,9 @@ from game.target.forward_kinematics import pose_skeleton
 from game.tunables import Settings
 from tests.physics.standing import bent, hold, idle_joints, original, run, unexplained
 
-LEANING = bent(hip_left=(0.0, -0.4, 0.0), hip_right=(0.0, -0.4, 0.0), spine=(0.0, 0.3, 0.1), knee_left=(0.0, 0.5, 0.0), knee_right=(0.0, 0.5, 0.0))
+LEANING = bent(
+    hip_left=(0.0, -0.4, 0.0), hip_right=(0.0, -0.4, 0.0), spine=(0.0, 0.3, 0.1), knee_left=(0.0, 0.5, 0.0), knee_right=(0.0, 0.5, 0.0)
+)
 TILTED = rotation.multiply(rotation.about_z(0.7), rotation.exp(np.array([0.1, 0.2, 0.0])))
 
 
