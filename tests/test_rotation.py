@@ -1,4 +1,4 @@
-"""Rotations obey the identities of the rotation group, also where the formulas are weakest: at no turn, half a turn, opposite directions."""
+"""Rotations obey the identities of their group, also where formulas are weakest: at no turn, half a turn, opposite directions."""
 
 import math
 

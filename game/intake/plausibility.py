@@ -46,7 +46,7 @@ class Plausibility:
             return f"a frame's time does not advance ({frame.time_s:.3f} s): it is dropped"
         if last is not None and _all_seen(frame):
             return self._jump(frame, last, jump_limit_m)
-        seen = np.asarray(np.isfinite(frame.positions).all(axis=1) & (frame.confidence > 0.0), dtype=np.bool_)
+        seen = np.logical_and.reduce(np.isfinite(frame.positions), axis=1) & (frame.confidence > 0.0)
         if not seen[Joint.HIP_CENTER]:
             return "the hip centre is lost: the last pose is held"
         if last is None and not seen.all():

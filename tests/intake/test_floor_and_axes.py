@@ -21,7 +21,7 @@ UP = np.array([0.0, 1.0, 0.0])
 
 
 def plane(normal: Floats, height: float) -> Floor:
-    return Floor(*normal.tolist(), height)
+    return Floor(float(normal[0]), float(normal[1]), float(normal[2]), height)
 
 
 def frame(positions: Floats, floor: Floor | None, time_s: float = 0.0) -> BodyFrame:
