@@ -71,7 +71,7 @@ class Plausibility:
             return frame
         root = frame.positions[Joint.HIP_CENTER]
         held = self._last.positions + (root - self._last.positions[Joint.HIP_CENTER])
-        step = np.where(finite[:, None], frame.positions, held) - held
+        step = np.where(np.expand_dims(finite, 1), frame.positions, held) - held
         length = np.sqrt(np.sum(step * step, axis=1))
         reach = INFERRED_SPEED_M_S * (frame.time_s - self._last.time_s)
         share = np.minimum(INFERRED_BLEND, reach / np.maximum(length, 1e-9))
