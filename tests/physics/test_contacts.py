@@ -5,6 +5,7 @@ import pytest
 
 from game.characters.skeleton import PARTS
 from game.physics.contacts import contact_forces
+from game.physics.honesty import cone_excess
 from game.physics.world import World
 from game.tunables import Settings
 from tests.physics.standing import hold, limp, original, run, swing, thrash, world_of
@@ -84,3 +85,13 @@ def test_parts_of_one_body_collide_only_where_asked():
         world = world_of((0, 0, 2.0), physics__self_collision=wanted)
         run(world, 120, thrash)
         assert ("c0 - c0" in world.meter.partners) == wanted
+
+
+@pytest.mark.parametrize(
+    ("wrench", "excess"),
+    [([100.0, 30.0, 40.0], 0.0), ([100.0, 30.0, 45.0], 54.08327 - 50.0), ([-2.0, 0.0, 0.0], 2.0)],
+    ids=["on the cone", "beyond it", "pulling"],
+)
+def test_a_force_outside_its_friction_cone_would_be_noticed(wrench, excess):
+    rows = np.array([[*wrench, 0.0, 0.0, 0.0]])
+    assert cone_excess(rows, np.full((1, 5), 0.5)) == pytest.approx(excess, abs=1e-4)
