@@ -8,6 +8,7 @@ import pytest
 from PIL import Image
 
 from game.characters.skeleton import JOINTS
+from game.commands import main
 from game.tunables import TUNABLES
 from kinect.clip import write_clip
 from tests.door.the_door import knock, read_report
@@ -48,11 +49,10 @@ def undrawn(folder: Path) -> dict[str, Any]:
     return read_report(folder / "deep/down/boxing.json")
 
 
-def sha_of(folder: Path, *words: str) -> str:
-    """The state hash of a run of half a second without a picture."""
-    visit = knock(folder, "--no-draw", "--seconds", "0.5", "--report", "sha.json", *words)
-    assert (visit.status, visit.err) == (0, "")
-    return read_report(folder / "sha.json")["state_sha256"]
+def run_here(folder: Path, *words: str) -> dict[str, Any]:
+    """The report of the same command line without a picture, run in this process, which has imported everything already."""
+    assert main(("--no-draw", *words, "--report", str(folder / "here.json"))) == 0
+    return read_report(folder / "here.json")
 
 
 def test_the_report_says_everything_it_is_asked_for(undrawn: dict[str, Any]) -> None:
@@ -94,9 +94,7 @@ def test_a_fall_is_no_error(folder: Path) -> None:
 
 def test_recordings_of_both_kinds_are_played_to_their_end(folder: Path) -> None:
     for name in ("sway.npz", "sway.csv"):
-        visit = knock(folder, "--no-draw", "--input", f"clip:{name}", "--report", "clip.json")
-        report = read_report(folder / "clip.json")
-        assert visit.status == 0
+        report = run_here(folder, "--input", f"clip:{folder / name}")
         assert report["clip_s"] == pytest.approx(39 / 30.0, abs=0.04)
         assert report["simulated_s"] == pytest.approx(report["clip_s"], abs=0.04)
 
@@ -123,21 +121,19 @@ def test_drawing_changes_no_state(folder: Path, undrawn: dict[str, Any]) -> None
 def test_another_clip_or_seed_or_character_is_another_run(folder: Path, undrawn: dict[str, Any]) -> None:
     boxing = ("--input", "performer:boxing")
     noisy = (*boxing, "--set", "sensor.noise=0.3", "--seed")
-    runs = [
-        undrawn["state_sha256"],
-        sha_of(folder, "--input", "performer:waving"),
-        sha_of(folder, *boxing, "--character", "low-com"),
-        sha_of(folder, *noisy, "1"),
-        sha_of(folder, *noisy, "2"),
-    ]
+    others = (("--input", "performer:waving"), (*boxing, "--character", "low-com"), (*noisy, "1"), (*noisy, "2"))
+    runs = [undrawn["state_sha256"], *(run_here(folder, *words, "--seconds", "0.5")["state_sha256"] for words in others)]
     assert len(set(runs)) == len(runs)
-    assert sha_of(folder, *noisy, "2") == runs[-1]
+    assert run_here(folder, *noisy, "2", "--seconds", "0.5")["state_sha256"] == runs[-1]
 
 
-def test_a_duel_reports_its_score(folder: Path) -> None:
-    visit = knock(folder, "--no-draw", "--input", "script", "--scene", "duel", "--seconds", "0.5", "--report", "duel.json")
-    report = read_report(folder / "duel.json")
-    assert visit.status == 0 and "duel, You 0 : 0 Opponent" in visit.out
+def test_a_process_of_its_own_and_this_one_compute_the_same(folder: Path, undrawn: dict[str, Any]) -> None:
+    assert run_here(folder, "--input", "performer:boxing", "--seconds", "0.5")["state_sha256"] == undrawn["state_sha256"]
+
+
+def test_a_duel_reports_its_score(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    report = run_here(folder, "--input", "script", "--scene", "duel", "--seconds", "0.5")
+    assert "duel, You 0 : 0 Opponent" in capsys.readouterr().out
     assert (report["scene"], report["score"], report["rounds"]) == ("duel", "You 0 : 0 Opponent", [])
     assert {"floor - c0", "floor - c1"} <= set(report["contact_partners"])
     assert report["unexplained_force_max_n"] < 1e-6
