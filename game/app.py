@@ -22,13 +22,14 @@ HEADLESS_S = 20.0
 
 @dataclass(frozen=True)
 class Options:
-    """How to play. size: pixels headless, points in a window; quality: low, medium or high; seconds: simulated, None for as long as
-    it takes; picture, video: files to write; fps: of the video, 60 or 30 (one or two fixed updates a picture); overlay: draw it;
-    scenes, inputs: what the menu offers; settings_path: where Save and Load go, None for the platform's own place."""
+    """How to play. size: pixels headless, points in a window; quality: low, medium or high, None for what suits the machine;
+    seconds: simulated, None for as long as it takes; picture, video: files to write; fps: of the video, 60 or 30 (one or two fixed
+    updates a picture); overlay: draw it; scenes, inputs: what the menu offers; settings_path: where Save and Load go, None for the
+    platform's own place."""
 
     headless: bool = False
     size: tuple[int, int] = (1280, 720)
-    quality: str = "high"
+    quality: str | None = None
     seconds: float | None = None
     picture: Path | None = None
     video: Path | None = None

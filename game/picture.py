@@ -102,7 +102,8 @@ class Picture:
         self.window.close()
 
 
-def _renderer(window: GLWindow, quality: str, settings: Settings) -> Any:
+def _renderer(window: GLWindow, quality: str | None, settings: Settings) -> Any:
+    from game.render.quality import usual_quality
     from game.render.renderer import Renderer
 
-    return Renderer(window.ctx, quality, settings)
+    return Renderer(window.ctx, quality or usual_quality(window.ctx.info["GL_RENDERER"]), settings)

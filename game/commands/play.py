@@ -49,7 +49,8 @@ def run(arguments: argparse.Namespace) -> int:
     check_outputs(arguments)
     headless = not arguments.no_draw and (arguments.headless or not has_display())
     announce = headless and not arguments.headless
-    size = parse_size(arguments.size or (UNASKED_SIZE if announce else USUAL_SIZE))
+    usual_size = UNASKED_SIZE if announce else USUAL_SIZE
+    size = parse_size(usual_size if arguments.size is None else arguments.size)
     if announce and arguments.input == "auto":
         arguments.input = "performer:boxing"
     tell_of_compiling()
