@@ -66,5 +66,5 @@ class StepPace:
 
 
 def is_over(scene: Scene, seconds: float | None) -> bool:
-    """Has a run nobody watches come to its end: `seconds` of simulated time after the start-up hang, or the end of the recording?"""
-    return scene.finished or (seconds is not None and scene.time_s >= seconds - 1e-6)
+    """Has a run nobody watches come to its end: `seconds` of simulated time after the start-up hang, else the end of the recording?"""
+    return scene.finished if seconds is None else scene.time_s >= seconds - 1e-6

@@ -33,6 +33,10 @@ class Tunable:
     def group(self) -> str:
         return self.name.split(".", 1)[0]
 
+    @property
+    def _in_unit(self) -> str:
+        return f" {self.unit}" if self.unit else ""
+
     def parse(self, value: object) -> Value:
         """The value in this tunable's type; raises TunableError with one sentence that names what is valid."""
         if isinstance(self.default, bool):
@@ -50,9 +54,9 @@ class Tunable:
         except ValueError:
             number = math.nan
         if not math.isfinite(number) or isinstance(value, bool):
-            raise TunableError(f"{self.name} needs a number from {self.low:g} to {self.high:g} {self.unit}, not {value!r}.")
+            raise TunableError(f"{self.name} needs a number from {self.low:g} to {self.high:g}{self._in_unit}, not {value!r}.")
         if not self.low <= number <= self.high:
-            raise TunableError(f"{self.name} must lie between {self.low:g} and {self.high:g} {self.unit}, not {number:g}.")
+            raise TunableError(f"{self.name} must lie between {self.low:g} and {self.high:g}{self._in_unit}, not {number:g}.")
         return number
 
 
@@ -104,8 +108,8 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("physics.friction", 1.0, "Coulomb friction coefficient of soles and floor, Eq. 3.6", 0.05, 2.0),
         Tunable("physics.self_collision", False, "body parts of one character collide with each other", restart=True),
         # duel
-        Tunable("duel.distance_m", 0.72, "how far apart the two stand, pelvis to pelvis", 0.4, 2.0, "m", restart=True),
-        Tunable("duel.opponent_vigour", 0.5, "how often the opponent attacks and how much weight it puts in", 0.0, 1.0),
+        Tunable("duel.distance_m", 0.88, "how far apart the two stand, pelvis to pelvis", 0.4, 2.0, "m", restart=True),
+        Tunable("duel.opponent_vigour", 0.8, "how often the opponent attacks and how much weight it puts in, at the start of a round", 0.0, 1.0),
         Tunable("duel.round_limit_s", 60.0, "a round that lasts longer is a draw", 5.0, 300.0, "s"),
         # picture
         Tunable("picture.exposure", 1.0, "brightness of the picture", 0.25, 4.0),

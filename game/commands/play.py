@@ -15,6 +15,8 @@ from game.warm_up import tell_of_compiling
 
 USUAL_SIZE = "1280x720"
 UNASKED_SIZE = "960x540"
+UNASKED_SECONDS = 20.0
+"""How long the performer is drawn where nobody asked for anything and no screen is there; it outlasts the motion by a few seconds."""
 """Of a film that is drawn because there is no display: nobody chose to wait for it."""
 
 
@@ -53,6 +55,7 @@ def run(arguments: argparse.Namespace) -> int:
     size = parse_size(usual_size if arguments.size is None else arguments.size)
     if announce and arguments.input == "auto":
         arguments.input = "performer:boxing"
+        arguments.seconds = arguments.seconds or UNASKED_SECONDS
     tell_of_compiling()
     casting = Casting(arguments.input, arguments.character, settings, arguments.seed)
     scene = casting.scene(arguments.scene or casting.default_scene())

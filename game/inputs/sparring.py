@@ -8,11 +8,12 @@ from game.inputs.puppet import Puppet
 from game.inputs.puppet_controls import PuppetControls
 from kinect.body import BodyFrame
 
-NEAR_M = 1.05
-"""Pelvis to pelvis: from here on a shove can land."""
+NEAR_M = 1.2
+"""Pelvis to pelvis: from here on a lunge can land."""
 
 GUARD = PuppetControls(guard=True)
-STILL_S = 1.2
+STILL_S = 2.0
+"""It stands still through the hang and a breath longer, so that nobody is struck before they have landed."""
 
 
 class SparringPartner:

@@ -22,6 +22,9 @@ Floats = NDArray[np.float64]
 
 FRAME_HZ = 60
 
+LIMP_S = 0.5
+"""How long a character whose step failed takes no commands."""
+
 
 def steps_per_frame(step_s: float) -> int:
     """Whole physics steps in a 60 Hz frame; the step is rounded so that they fill it exactly."""
@@ -57,8 +60,7 @@ class World:
         self._pushes: list[tuple[int, Push]] = []
         self.stated_pushes: list[dict[str, object]] = []
         """Every push a scene stated: step, character, part, force (N), steps."""
-        self._limp: set[int] = set()
-        self._commands: list[JointCommand | None] = [None] * len(plans)
+        self._limp_until = [0] * len(plans)
         self._digest = hashlib.sha256()
         self._friction = settings.number("physics.friction")
 
@@ -83,15 +85,15 @@ class World:
             body.refresh()
 
     def command(self, index: int, command: JointCommand) -> None:
-        """The joint command of character `index` from the next step on; an unsound one makes it limp until a sound one comes."""
-        if command_is_sound(command):
-            self._limp.discard(index)
-            self._commands[index] = command
-            self.actuation.set(index, command)
-        else:
+        """The joint command of character `index` from the next step on; an unsound one makes it limp until a sound one comes.
+
+        After a step that failed it stays limp for a while: a body whose gains tear it apart falls, instead of hanging in the air.
+        """
+        if not command_is_sound(command):
             self._fault(index, "its joint command is not finite or not a rotation")
-            self._limp.add(index)
             self.actuation.relax(index)
+        elif self.step_count >= self._limp_until[index]:
+            self.actuation.set(index, command)
 
     def push(self, index: int, part: int, force: Floats, steps: int) -> None:
         """State a push: `force` (3,) N in the world at the centre of part `part`, for `steps` steps from now on."""
@@ -173,6 +175,7 @@ class World:
         """Roll the step back and take it again with the offenders limp, then at rest too; False where they could only be kept still."""
         for index in failed:
             self._fault(index, "its step failed and was repeated")
+            self._limp_until[index] = self.step_count + round(LIMP_S / self.step_s)
             self.actuation.relax(index)
         limp_failed = self._take_again([])
         if not limp_failed:

@@ -13,14 +13,16 @@ SAMPLE_HZ = 30
 class Observer:
     """Call `observe` after each frame of the simulation. Errors count while the character is upright."""
 
-    def __init__(self, fighter: Fighter) -> None:
-        self._fighter = fighter
+    def __init__(self, fighter: Fighter, length_s: float | None = None) -> None:
+        """length_s: of the recording, seconds; None where it does not end."""
+        self._fighter, self._length_s = fighter, length_s
         self.upright = UprightClock(fighter.plan.idle_com_height)
         self.error = TrackingError(fighter.plan)
         self.wrists = WristFollowing(SAMPLE_HZ)
 
     def observe(self, simulation: Simulation) -> None:
-        if simulation.frame <= 0:
+        """What happens in the hang or after the end of a recording does not count."""
+        if simulation.frame <= 0 or (self._length_s is not None and simulation.time_s > self._length_s + 0.5 / FRAME_HZ):
             return
         body = simulation.world.characters[self._fighter.index]
         target = self._fighter.target

@@ -27,6 +27,11 @@ LOW_COM_SHARE = 0.55
 AFTERMATH_FRAMES = 100
 """How long a fall is watched before the next round begins."""
 
+BOLD_AFTER_S = 30.0
+
+BREAK_FRAMES = 480
+"""Frames without a touch after which the two, who cannot walk yet, are brought together again."""
+
 _LYING = [PARTS.index(name) for name in ("pelvis", "trunk", "head")]
 NAMES = ("You", "Opponent")
 
@@ -62,6 +67,9 @@ class Duel:
         self.simulation = Simulation([player, rival], self._settings)
         self.rounds: list[Round] = []
         self._aftermath = 0
+        self._touched_frame = 0
+        self._fought_s = 0.0
+        self.breaks = 0
         self._plots = DuelPlots()
         self._entered = True
 
@@ -81,21 +89,49 @@ class Duel:
     def fixed_update(self) -> None:
         simulation = self.simulation
         a, b = (body.com for body in simulation.world.characters)
-        self._partner.see(float(np.hypot(*(a - b)[:2])), self._settings.number("duel.opponent_vigour"))
+        self._partner.see(float(np.hypot(*(a - b)[:2])), self._vigour())
         simulation.advance()
         self._plots.observe(simulation)
         if self._aftermath > 0:
             self._aftermath -= 1
             if self._aftermath == 0:
-                self._partner.new_round()
-                simulation.hang_again()
+                self._fought_s = 0.0
+                self._begin()
         elif simulation.frame > 0:
             self._judge()
+            self._break_if_idle()
+
+    @property
+    def round_s(self) -> float:
+        """Fighting time of the round, breaks left out, seconds."""
+        return self._fought_s + max(0.0, self.simulation.time_s)
+
+    def _break_if_idle(self) -> None:
+        """Where nobody has touched the other for a while, both are taken back to their places and the round goes on."""
+        simulation = self.simulation
+        found = simulation.world.meter.contacts
+        if found is not None and (found.character != FLOOR).all(axis=1).any():
+            self._touched_frame = simulation.frame
+        if self._aftermath == 0 and simulation.frame - self._touched_frame > BREAK_FRAMES:
+            self._fought_s = self.round_s
+            self.breaks += 1
+            self._begin()
+
+    def _begin(self) -> None:
+        """Both at their places, hanging, then released."""
+        self._touched_frame = 0
+        self._partner.new_round()
+        self.simulation.hang_again()
+
+    def _vigour(self) -> float:
+        """The opponent grows bolder as a round drags on, up to full vigour after half a minute."""
+        vigour = self._settings.number("duel.opponent_vigour")
+        return vigour + (1.0 - vigour) * min(1.0, self.round_s / BOLD_AFTER_S)
 
     def _judge(self) -> None:
         """End the round where somebody is down or the time is up."""
         down = [self._is_down(index) for index in range(2)]
-        length = self.simulation.time_s
+        length = self.round_s
         if any(down):
             winner = None if all(down) else down.index(False)
             why = "both went down" if winner is None else f"{NAMES[1 - winner].lower()} went down"
@@ -131,7 +167,7 @@ class Duel:
         return {
             "input": simulation.fighters[0].source.status,
             "round": float(len(self.rounds) + (self._aftermath == 0)),
-            "round_s": max(0.0, simulation.time_s),
+            "round_s": self.round_s,
             "unexplained_force_n": float(simulation.world.meter.unexplained_force_n.max()),
             "guard_actions": float(simulation.world.guard_actions),
             **{f"{stage}_ms": 1e3 * spent / frames for stage, spent in simulation.stage_s.items()},
@@ -169,7 +205,7 @@ class Duel:
             "character": self._plan.name,
             "clip_s": self.time_s if length is None else length,
             "score": self.score(),
-            "rounds": [{"winner": None if r.winner is None else NAMES[r.winner], "length_s": r.length_s, "why": r.why} for r in self.rounds],
+            "rounds": [round_row(r) for r in self.rounds],
             **simulation_report(simulation, self._settings, self._watch, self._seed),
             "peak_torque_nm": peak_torques(simulation, 0),
         }
@@ -178,3 +214,8 @@ class Duel:
         if self._entered:
             self.simulation.close()
             self._entered = False
+
+
+def round_row(done: Round) -> dict[str, object]:
+    """A finished round for the report: the winner's name, or None for a draw."""
+    return {"winner": None if done.winner is None else NAMES[done.winner], "length_s": done.length_s, "why": done.why}

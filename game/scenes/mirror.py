@@ -33,7 +33,7 @@ class Mirror:
         self._watch = Stopwatch()
         fighter = Fighter(0, self._plan, self._opens, self._settings, mirrored=True)
         self.simulation = Simulation([fighter], self._settings)
-        self.observer = Observer(fighter)
+        self.observer = Observer(fighter, fighter.source.length_s)
         self._plots = BalancePlots()
         self._entered = True
 
