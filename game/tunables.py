@@ -69,6 +69,7 @@ def _table(rows: Iterable[Tunable]) -> dict[str, Tunable]:
     return table
 
 
+# fmt: off
 TUNABLES: Mapping[str, Tunable] = _table(
     [
         # input and intake
@@ -130,6 +131,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("layer.torque", False, "joint torque as colour on the character"),
     ]
 )
+# fmt: on
 
 
 class Settings:

@@ -4,6 +4,7 @@ from collections import deque
 
 import numpy as np
 
+from game import rotation
 from game.report.observer import Observer
 from game.scenes.body_layers import support_polygon
 from game.scenes.scene import Plot
@@ -22,10 +23,10 @@ class BalancePlots:
         world = simulation.world
         body, fighter = world.characters[0], simulation.fighters[0]
         torque = np.abs(world.actuation.torque[body.joint_dofs])
-        error = np.abs(2.0 * (body.joint_rotation[:, 1:] - np.sign(np.sum(body.joint_rotation * fighter.target.joint_rotation, axis=1))[:, None] * fighter.target.joint_rotation[:, 1:]))
-        self._rows.append(
-            (simulation.time_s, error.mean(), error.max(), torque.max(), observer.upright.upright_s, body.com_height(), fighter.target.com[2], *body.com[:2])
-        )
+        error = np.abs(rotation.log(rotation.multiply(rotation.conjugate(body.joint_rotation), fighter.target.joint_rotation)))
+        heights = (body.com_height(), fighter.target.com[2])
+        measured = (error.mean(), error.max(), torque.max(), observer.upright.upright_s)
+        self._rows.append((simulation.time_s, *measured, *heights, *body.com[:2]))
 
     def plots(self, simulation: Simulation) -> tuple[Plot, ...]:
         if not self._rows:

@@ -18,6 +18,7 @@ from kinect.body import BONES
 Floats = NDArray[np.float64]
 
 GHOST = np.array([0.35, 0.75, 1.0, 1.0])
+MAPPED = np.array([1.0, 0.6, 0.3, 1.0])
 SENSED = np.array([0.95, 0.85, 0.25, 1.0])
 FULL_TORQUE_NM = 150.0
 NEWTONS_PER_METRE = 1500.0
@@ -84,7 +85,7 @@ def orientation_skeleton(fighter: Fighter, offset: Floats) -> Boxes:
     mapped = fighter.target.mapped
     pose = pose_skeleton(fighter.plan, mapped.root_position + offset, mapped.root_orientation, mapped.joint_rotation)
     boxes = ghost(fighter.plan, pose)
-    return Boxes(boxes.position, boxes.orientation, boxes.half_size, np.tile([1.0, 0.6, 0.3, 1.0], (len(boxes.position), 1)), casts_shadow=False)
+    return Boxes(boxes.position, boxes.orientation, boxes.half_size, np.tile(MAPPED, (len(boxes.position), 1)), casts_shadow=False)
 
 
 def support_polygon(body: BodyDynamics) -> Floats:
@@ -99,10 +100,13 @@ def convex_hull(points: Floats) -> Floats:
     if len(ordered) < 3:
         return np.array(ordered).reshape(-1, 2)
 
+    def turns_left(a: tuple, b: tuple, c: tuple) -> bool:
+        return (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0])
+
     def half(points: list) -> list:
         chain: list = []
         for p in points:
-            while len(chain) > 1 and (chain[-1][0] - chain[-2][0]) * (p[1] - chain[-2][1]) <= (chain[-1][1] - chain[-2][1]) * (p[0] - chain[-2][0]):
+            while len(chain) > 1 and not turns_left(chain[-2], chain[-1], p):
                 chain.pop()
             chain.append(p)
         return chain[:-1]
@@ -116,7 +120,8 @@ def balance_marks(fighter: Fighter, body: BodyDynamics) -> tuple[Drawable, ...]:
     marks: list[Drawable] = []
     if len(hull) > 2:
         ring = np.column_stack((hull, np.full(len(hull), 0.006)))
-        marks.append(Lines(np.stack((ring, np.roll(ring, -1, axis=0)), axis=1), np.tile([0.2, 1.0, 0.4, 1.0], (len(ring), 1)), 3.0, on_top=True))
+        sides = np.stack((ring, np.roll(ring, -1, axis=0)), axis=1)
+        marks.append(Lines(sides, np.tile([0.2, 1.0, 0.4, 1.0], (len(ring), 1)), 3.0, on_top=True))
     ground = body.com * np.array([1.0, 1.0, 0.0])
     marks.append(Lines(np.stack((body.com, ground))[None], np.array([[1.0, 1.0, 1.0, 0.8]]), 1.5, on_top=True))
     spots = [(ground, (1.0, 1.0, 1.0, 1.0)), (body.com, (1.0, 1.0, 1.0, 1.0))]
