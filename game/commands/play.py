@@ -15,9 +15,9 @@ from game.warm_up import tell_of_compiling
 
 USUAL_SIZE = "1280x720"
 UNASKED_SIZE = "960x540"
+"""Of a film that is drawn because there is no display: nobody chose to wait for it."""
 UNASKED_SECONDS = 20.0
 """How long the performer is drawn where nobody asked for anything and no screen is there; it outlasts the motion by a few seconds."""
-"""Of a film that is drawn because there is no display: nobody chose to wait for it."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
