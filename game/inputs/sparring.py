@@ -48,7 +48,7 @@ class SparringPartner:
             return
         if distance_m > NEAR_M:
             self._plan = [(0.4, GUARD)]
-        elif self._rng.random() < 0.35 + 0.5 * vigour:
+        elif self._rng.random() < 0.45 + 0.5 * vigour:
             self._plan = self._attack(vigour)
         else:
             self._plan = self._wait()
@@ -69,7 +69,7 @@ class SparringPartner:
     def _attack(self, vigour: float) -> list[tuple[float, PuppetControls]]:
         """A two-handed shove or a jab, with a short draw-back before it."""
         rng = self._rng
-        lean = float(rng.uniform(0.2, 0.5) + 0.4 * vigour)
+        lean = min(1.0, float(rng.uniform(0.3, 0.6) + 0.4 * vigour))
         drawn = replace(GUARD, lean_forward=-0.25)
         if rng.random() < 0.6:
             blow = PuppetControls(thrust_left=1.0, thrust_right=1.0, lean_forward=lean)
