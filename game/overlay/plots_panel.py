@@ -4,6 +4,7 @@ import numpy as np
 from imgui_bundle import ImVec2, ImVec4, imgui, implot
 from numpy.typing import NDArray
 
+from game.overlay.docked import begin_docked
 from game.overlay.layout import plots_area
 from game.overlay.stage_bar import draw_stage_bar
 from game.overlay.style import Fonts, Rgba
@@ -22,11 +23,7 @@ def draw_plots(view: View, shown: Shown, fonts: Fonts, size: tuple[float, float]
     if not shown.plots:
         return
     em = imgui.get_style().font_size_base * imgui.get_style().font_scale_dpi
-    area = plots_area(size, em)
-    imgui.set_next_window_pos(ImVec2(area.left, area.top))
-    imgui.set_next_window_size(ImVec2(area.width, area.height))
-    fixed = imgui.WindowFlags_.no_title_bar | imgui.WindowFlags_.no_resize | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_collapse
-    imgui.begin("plots", None, fixed)
+    begin_docked("plots", plots_area(size, em))
     draw_stage_bar(view.stage_ms, fonts)
     for plot in view.plots:
         imgui.push_font(fonts.strong, 0.9 * imgui.get_style().font_size_base)

@@ -4,6 +4,7 @@ from functools import lru_cache
 
 from imgui_bundle import ImVec2, ImVec4, imgui
 
+from game.overlay.docked import begin_docked
 from game.overlay.layout import panel_area
 from game.overlay.style import ACCENT, FAINT, Fonts, alpha
 from game.overlay.tunable_widget import Place, draw_tunable
@@ -32,11 +33,7 @@ class TuningPanel:
         if not shown.panel:
             return
         em = imgui.get_style().font_size_base * imgui.get_style().font_scale_dpi
-        area = panel_area(size, em)
-        imgui.set_next_window_pos(ImVec2(area.left, area.top))
-        imgui.set_next_window_size(ImVec2(area.width, area.height))
-        fixed = imgui.WindowFlags_.no_title_bar | imgui.WindowFlags_.no_resize | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_collapse
-        imgui.begin("tuning", None, fixed)
+        begin_docked("tuning", panel_area(size, em))
         self._head(view, shown)
         foot = imgui.get_frame_height_with_spacing() if view.restart_pending else 0.0
         imgui.begin_child("tunables", ImVec2(0.0, -foot))

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import PARTS
 from game.drawables import Layer
 from game.inputs.sparring import SparringPartner
@@ -15,11 +14,10 @@ from game.scenes.body_layers import fighter_layers
 from game.scenes.duel_plots import DuelPlots
 from game.scenes.fighter import Fighter
 from game.scenes.key_help import keys_for
-from game.scenes.living_room import living_room
+from game.scenes.played_scene import PlayedScene
 from game.scenes.scene import CameraHint, Plot
-from game.scenes.simulation import Opener, Simulation
+from game.scenes.simulation import Simulation
 from game.scenes.staging import CAMERAS
-from game.tunables import Settings
 
 LOW_COM_SHARE = 0.55
 """A COM below this share of its standing height is a fall even before the trunk lies on the floor."""
@@ -45,16 +43,10 @@ class Round:
     why: str
 
 
-class Duel:
+class Duel(PlayedScene):
     """Your input against a sparring partner, round after round."""
 
     name = "duel"
-
-    def __init__(self, plan: BodyPlan, opens: Opener, settings: Settings, seed: int = 0, input_name: str = "") -> None:
-        self._plan, self._opens, self._settings = plan, opens, settings
-        self._seed, self._input_name = seed, input_name
-        self._room = living_room()
-        self._entered = False
 
     def enter(self) -> None:
         self.leave()
@@ -76,15 +68,6 @@ class Duel:
     @property
     def time_s(self) -> float:
         return self.simulation.clock_s
-
-    @property
-    def endless(self) -> bool:
-        return self.simulation.fighters[0].source.length_s is None
-
-    @property
-    def finished(self) -> bool:
-        length = self.simulation.fighters[0].source.length_s
-        return length is not None and self.time_s >= length
 
     def fixed_update(self) -> None:
         simulation = self.simulation
@@ -209,11 +192,6 @@ class Duel:
             **simulation_report(simulation, self._settings, self._watch, self._seed),
             "peak_torque_nm": peak_torques(simulation, 0),
         }
-
-    def leave(self) -> None:
-        if self._entered:
-            self.simulation.close()
-            self._entered = False
 
 
 def round_row(done: Round) -> dict[str, object]:

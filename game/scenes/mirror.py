@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 
-from game.characters.body_plan import BodyPlan
 from game.drawables import Layer
 from game.report.observer import Observer
 from game.report.session_report import Stopwatch, peak_torques, simulation_report
@@ -10,23 +9,16 @@ from game.scenes.balance_plots import BalancePlots
 from game.scenes.body_layers import fighter_layers
 from game.scenes.fighter import Fighter
 from game.scenes.key_help import keys_for
-from game.scenes.living_room import living_room
+from game.scenes.played_scene import PlayedScene
 from game.scenes.scene import CameraHint, Plot
-from game.scenes.simulation import Opener, Simulation
+from game.scenes.simulation import Simulation
 from game.scenes.staging import CAMERAS
-from game.tunables import Settings
 
 
-class Mirror:
+class Mirror(PlayedScene):
     """One character and one input. `opens` gives a fresh source each time the scene is entered."""
 
     name = "mirror"
-
-    def __init__(self, plan: BodyPlan, opens: Opener, settings: Settings, seed: int = 0, input_name: str = "") -> None:
-        self._plan, self._opens, self._settings = plan, opens, settings
-        self._seed, self._input_name = seed, input_name
-        self._room = living_room()
-        self._entered = False
 
     def enter(self) -> None:
         self.leave()
@@ -36,20 +28,6 @@ class Mirror:
         self.observer = Observer(fighter, fighter.source.length_s)
         self._plots = BalancePlots()
         self._entered = True
-
-    @property
-    def time_s(self) -> float:
-        return self.simulation.time_s
-
-    @property
-    def endless(self) -> bool:
-        """True for a live input."""
-        return self.simulation.fighters[0].source.length_s is None
-
-    @property
-    def finished(self) -> bool:
-        length = self.simulation.fighters[0].source.length_s
-        return length is not None and self.time_s >= length
 
     def fixed_update(self) -> None:
         self.simulation.advance()
@@ -106,8 +84,3 @@ class Mirror:
             **simulation_report(self.simulation, self._settings, self._watch, self._seed),
             "peak_torque_nm": peak_torques(self.simulation, 0),
         }
-
-    def leave(self) -> None:
-        if self._entered:
-            self.simulation.close()
-            self._entered = False
