@@ -76,7 +76,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("sensor.noise", 0.0, "scale of the Kinect v1 sensor model laid over a performer or puppet; 1 is a real sensor", 0.0, 2.0),
         Tunable("sensor.latency_s", 0.0, "delay of the sensor model between a pose and its frame", 0.0, 0.5, "s"),
         Tunable("sensor.outliers", 0.0, "scale of the sensor model's violent outliers; 1 is a real sensor", 0.0, 2.0),
-        Tunable("intake.smoothing", 0.0, "strength of the Kinect SDK's joint smoothing; 1 is the SDK's default parameters, 0 off", 0.0, 2.0),
+        Tunable("intake.smoothing", 1.0, "strength of the Kinect SDK's joint smoothing; 1 is the SDK's default parameters, 0 off", 0.0, 2.0),
         Tunable("intake.mirror", True, "mirror left and right, so that the character faces you like a mirror image"),
         Tunable("intake.jump_limit_m", 0.35, "a root that moves farther between two frames is held as a sensor fault", 0.05, 2.0, "m"),
         # kinematic target
