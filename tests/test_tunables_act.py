@@ -44,7 +44,7 @@ CONTEXTS: Mapping[str, Context] = {
     "intake.jump_limit_m": LEAPING,
     "ik.target_clamp_m": LEAPING,
     "balance.ankle_clamp_rad": LEAPING,
-    "physics.self_collision": LEAPING,
+    "physics.self_collision": Context(spec="clip:{clip}", others=(("intake.smoothing", 0.0),)),
     "duel.distance_m": Context("duel", "script", seconds=0.1),
     # the opponent makes its first plan while it still hangs
     "duel.opponent_vigour": Context("duel", "script", seconds=2.0, turned_s=-0.5),

@@ -66,4 +66,6 @@ def contact_forces(model: mj.MjModel, data: mj.MjData) -> ContactForces | None:
         mj.mj_contactForce(model, data, i, wrench[i])
     frame = contacts.frame.reshape(-1, 3, 3)
     force = (wrench[:, None, :3] @ frame)[:, 0, :]
-    return ContactForces(contacts.pos.reshape(-1, 3), force, wrench, contacts.friction.reshape(-1, 5)[:, 0], model.geom_bodyid[contacts.geom])
+    return ContactForces(
+        contacts.pos.reshape(-1, 3), force, wrench, contacts.friction.reshape(-1, 5)[:, 0], model.geom_bodyid[contacts.geom]
+    )

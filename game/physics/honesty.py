@@ -181,7 +181,7 @@ def cone_excess(wrench: Floats, friction: Floats) -> float:
 @compiled
 def same(a: Floats, b: Floats) -> bool:
     """Equal number by number."""
-    for i in range(len(a)):
+    for i in range(len(a)):  # noqa: SIM110 (a compiled loop)
         if a[i] != b[i]:
             return False
     return True
