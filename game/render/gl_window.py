@@ -83,6 +83,13 @@ class GLWindow:
 
             glfw.swap_buffers(self.handle)
 
+    def make_current(self) -> None:
+        """Let OpenGL calls go here again after another window was opened or closed."""
+        if self.handle is not None:
+            import glfw
+
+            glfw.make_context_current(self.handle)
+
     def close(self) -> None:
         """Give everything back; calling it twice is harmless."""
         global _open_windows

@@ -27,6 +27,13 @@ def window() -> Iterator[GLWindow]:
     opened.close()
 
 
+@pytest.fixture(autouse=True)
+def current(request: pytest.FixtureRequest) -> None:
+    """The shared window has OpenGL's ear again, whatever windows other tests opened and closed since."""
+    if {"window", "shoot", "renderers"} & set(request.fixturenames):
+        request.getfixturevalue("window").make_current()
+
+
 @pytest.fixture(scope="session")
 def renderers(window: GLWindow) -> Iterator[Callable]:
     from game.render.renderer import Renderer
