@@ -88,6 +88,8 @@ class GLWindow:
         if self.handle is not None:
             import glfw
 
+            # EGL takes the same context again for no change, though OSMesa may have had the calls meanwhile
+            glfw.make_context_current(None)
             glfw.make_context_current(self.handle)
 
     def close(self) -> None:
