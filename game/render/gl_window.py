@@ -89,7 +89,7 @@ class GLWindow:
             import glfw
 
             # EGL takes the same context again for no change, though OSMesa may have had the calls meanwhile
-            glfw.make_context_current(None)
+            glfw.make_context_current(None)  # pyright: ignore[reportArgumentType]  None is what GLFW documents
             glfw.make_context_current(self.handle)
 
     def close(self) -> None:
