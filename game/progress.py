@@ -9,11 +9,12 @@ class Progress:
     """Draws `label [####    ] 42 %  3.1 of 7.5 s` in place; on a stream that is no terminal only every tenth of the way.
 
     start_s: simulated time at the start, negative where a start-up hang comes first: the bar counts it, the seconds do not.
-    Where the whole length is not known (None) it counts seconds, on such a stream every tenth one.
+    unit: what is counted. Where the whole length is not known (None) it counts seconds, on such a stream every tenth one.
     """
 
-    def __init__(self, label: str, total_s: float | None, stream: TextIO | None = None, start_s: float = 0.0) -> None:
+    def __init__(self, label: str, total_s: float | None, stream: TextIO | None = None, start_s: float = 0.0, unit: str = "s") -> None:
         self._label, self._total, self._start = label, total_s, start_s
+        self._unit, self._decimals = unit, 1 if unit == "s" else 0
         self._stream = stream if stream is not None else sys.stderr
         self._live = self._stream.isatty()
         self._shown = -1
@@ -28,7 +29,7 @@ class Progress:
         else:
             part = min(1.0, max(0.0, (done_s - self._start) / max(self._total - self._start, 1e-9)))
             tick = int(part * (100 if self._live else 10))
-            seconds = f"{max(0.0, done_s):.1f} of {self._total:.1f} s, took {took:.0f} s"
+            seconds = f"{max(0.0, done_s):.{self._decimals}f} of {self._total:.{self._decimals}f} {self._unit}, took {took:.0f} s"
             line = f"{self._label} [{'#' * int(part * 30):<30}] {part * 100:3.0f} %  {seconds}"
         if tick == self._shown:
             return

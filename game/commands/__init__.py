@@ -8,6 +8,7 @@ from importlib import import_module
 COMMANDS: Mapping[str, str] = {
     "play": "game.commands.play",
     "benchmark": "game.commands.benchmark",
+    "upright": "game.commands.upright",
 }
 """Name to module; imported only when asked for, so that a run without a picture never imports what draws one."""
 
