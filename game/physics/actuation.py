@@ -25,46 +25,59 @@ class Actuation:
     """Holds the commands of all characters between control ticks and applies them before each step."""
 
     def __init__(self, model: mj.MjModel, data: mj.MjData, bodies: Sequence[BodyDynamics], *, explicit: bool) -> None:
-        self._model, self._data, self._bodies, self._explicit = model, data, bodies, explicit
+        self._model, self._bodies, self._explicit = model, bodies, explicit
         self._first_rows = np.array([b.dofs.start for b in bodies])
         self._goal = data.qpos.copy()
-        self._kp = np.zeros(model.nv)
-        self._kd = np.zeros(model.nv)
-        self._offset = np.zeros(model.nv)
-        self._damping = np.zeros(model.nv)
+        self._held = np.zeros((4, model.nv))
+        self._kp, self._kd, self._offset, self._damping = self._held
         self._error = np.empty(model.nv)
+        self._step_s = float(model.opt.timestep)
+        # views: MuJoCo steps in place
+        self._position, self._velocity, self._applied, self._model_damping = data.qpos, data.qvel, data.qfrc_applied, model.dof_damping
         self.torque: Floats = np.zeros(model.nv)
         """(nv,) N m, the torque of each axis in the last step; root rows are zero."""
+        self.peak_torque: Floats = np.zeros(model.nv)
+        """(nv,) N m, the largest of each axis so far."""
         for index in range(len(bodies)):
             self.relax(index)
 
     def set(self, index: int, command: JointCommand) -> None:
         """Character `index` follows `command` from the next step on."""
         body = self._bodies[index]
-        rows = body.joint_dofs
-        self._goal[body.coordinates][7:] = command.rotation.reshape(-1)
-        self._kp[rows] = command.kp
-        self._kd[rows] = command.kd
-        self._offset[rows] = command.feedforward + command.kd * command.velocity
-        self._damping[rows] = 0.0 if self._explicit else command.kd + self._model.opt.timestep * command.kp
+        goal, held = self._goal[body.coordinates][7:], self._held[:, body.joint_dofs]
+        take_command(
+            command.rotation, command.velocity, command.kp, command.kd, command.feedforward, self._step_s, self._explicit, goal, held
+        )
 
     def relax(self, index: int) -> None:
         """Character `index` goes limp: light joint damping and nothing else."""
-        rows = self._bodies[index].joint_dofs
-        for held in (self._kp, self._kd, self._offset):
-            held[rows] = 0.0
-        self._damping[rows] = PASSIVE_DAMPING
+        held = self._held[:, self._bodies[index].joint_dofs]
+        held[:3], held[3] = 0.0, PASSIVE_DAMPING
 
     def apply(self) -> None:
         """Write the applied torques and the damping for the coming step."""
-        model, data = self._model, self._data
-        mj.mj_differentiatePos(model, self._error, 1.0, data.qpos, self._goal)
-        write_torque(self._first_rows, self._kp, self._error, self._offset, self._kd, data.qvel, self._explicit, data.qfrc_applied)
-        model.dof_damping[:] = self._damping
+        mj.mj_differentiatePos(self._model, self._error, 1.0, self._position, self._goal)
+        write_torque(self._first_rows, self._kp, self._error, self._offset, self._kd, self._velocity, self._explicit, self._applied)
+        np.copyto(self._model_damping, self._damping)
 
     def settle(self) -> None:
         """After the step: the torque that acted, with the velocity the integrator evaluated it at."""
-        self.torque = self._data.qfrc_applied - self._damping * self._data.qvel
+        settle_torque(self._applied, self._damping, self._velocity, self.torque, self.peak_torque)
+
+
+@compiled
+def take_command(
+    rotation: Floats, velocity: Floats, kp: Floats, kd: Floats, feedforward: Floats, step_s: float, explicit: bool,
+    goal: Floats, held: Floats,
+) -> None:  # fmt: skip
+    """A command's rotations into `goal` (56,), its kp, kd, offset and joint damping into the rows of `held`, (4, 42)."""
+    for joint in range(len(rotation)):
+        for part in range(4):
+            goal[4 * joint + part] = rotation[joint, part]
+    for row in range(len(kp)):
+        held[0, row], held[1, row] = kp[row], kd[row]
+        held[2, row] = feedforward[row] + kd[row] * velocity[row]
+        held[3, row] = 0.0 if explicit else kd[row] + step_s * kp[row]
 
 
 @compiled
@@ -77,3 +90,11 @@ def write_torque(
             out[row] = kp[row] * error[row] + offset[row]
             if explicit:
                 out[row] -= kd[row] * velocity[row]
+
+
+@compiled
+def settle_torque(applied: Floats, damping: Floats, velocity: Floats, torque: Floats, peak: Floats) -> None:
+    """Write applied - damping v into `torque`, (nv,), and keep its largest size in `peak`, (nv,)."""
+    for row in range(len(torque)):
+        torque[row] = applied[row] - damping[row] * velocity[row]
+        peak[row] = np.maximum(peak[row], abs(torque[row]))

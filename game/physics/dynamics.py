@@ -34,17 +34,20 @@ class BodyDynamics:
         self.coordinates = slice(POSITION_COUNT * index, POSITION_COUNT * (index + 1))
         self.subtree_mass: Floats = np.array(model.body_subtreemass[self.bodies])
         self._foot_half = plan.size[list(FEET)] / 2.0
-        self._feet = tuple(zip(FEET, self._foot_half, strict=True))
+        # views: MuJoCo steps in place
+        self._position, self._velocity = data.qpos[self.coordinates], data.qvel[self.dofs]
+        self._turn, self._orientation = data.xmat[self.bodies].reshape(-1, 3, 3), data.xquat[self.bodies]
+        self._joint, self._box_centre = data.xpos[self.bodies], data.xipos[self.bodies]
+        self._subtree_com, self._gravity = data.subtree_com[self.bodies], model.opt.gravity
         self.refresh()
 
     def refresh(self) -> None:
         """Copy what the last kinematics pass left in the data, and forget what was derived from older states."""
-        data = self._data
-        self.orientation: Floats = data.xquat[self.bodies].copy()
-        self.turn: Floats = data.xmat[self.bodies].reshape(-1, 3, 3).copy()
-        self.joint: Floats = data.xpos[self.bodies].copy()
-        self.box_centre: Floats = data.xipos[self.bodies].copy()
-        self.subtree_com: Floats = data.subtree_com[self.bodies].copy()
+        self.orientation: Floats = self._orientation.copy()
+        self.turn: Floats = self._turn.copy()
+        self.joint: Floats = self._joint.copy()
+        self.box_centre: Floats = self._box_centre.copy()
+        self.subtree_com: Floats = self._subtree_com.copy()
         self.com: Floats = self.subtree_com[0]
         for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian"):
             self.__dict__.pop(name, None)
@@ -52,22 +55,22 @@ class BodyDynamics:
     @property
     def gravity(self) -> float:
         """m/s^2, positive."""
-        return -float(self._model.opt.gravity[2])
+        return -float(self._gravity[2])
 
     @property
     def configuration(self) -> Floats:
         """(63,) qpos of this character."""
-        return self._data.qpos[self.coordinates].copy()
+        return self._position.copy()
 
     @property
     def velocity(self) -> Floats:
         """(48,) qvel: root linear (world), root angular (root frame), joints (child frames)."""
-        return self._data.qvel[self.dofs].copy()
+        return self._velocity.copy()
 
     @property
     def joint_rotation(self) -> Floats:
         """(14, 4) child in parent frame."""
-        return self._data.qpos[self.coordinates][7:].reshape(-1, 4).copy()
+        return self._position[7:].reshape(-1, 4).copy()
 
     @cached_property
     def com_jacobian(self) -> Floats:
@@ -78,7 +81,7 @@ class BodyDynamics:
 
     @cached_property
     def _com_velocity(self) -> Floats:
-        return self.com_jacobian @ self._data.qvel[self.dofs]
+        return self.com_jacobian @ self._velocity
 
     @property
     def com_velocity(self) -> Floats:
@@ -88,7 +91,7 @@ class BodyDynamics:
     @property
     def root_spin(self) -> Floats:
         """(3,) rad/s, angular velocity of the pelvis, world frame."""
-        return self.turn[0] @ self._data.qvel[self.dofs][3:6]
+        return self.turn[0] @ self._velocity[3:6]
 
     @property
     def mass_matrix(self) -> Floats:
@@ -111,8 +114,7 @@ class BodyDynamics:
 
     @cached_property
     def _foot_contact(self) -> tuple[bool, bool]:
-        left, right = (lowest_corner(self.turn[foot], self.box_centre[foot], half) for foot, half in self._feet)
-        return left < CONTACT_HEIGHT_M, right < CONTACT_HEIGHT_M
+        return feet_on_floor(self.turn, self.box_centre, self._foot_half)
 
     @property
     def foot_contact(self) -> tuple[bool, bool]:
@@ -127,3 +129,13 @@ class BodyDynamics:
 def lowest_corner(turn: Floats, centre: Floats, half: Floats) -> float:
     """Height (m) of a box's lowest corner: its centre less its half extent along the vertical; turn (3, 3), half (3,)."""
     return centre[2] - abs(turn[2, 0]) * half[0] - abs(turn[2, 1]) * half[1] - abs(turn[2, 2]) * half[2]
+
+
+@compiled
+def feet_on_floor(turn: Floats, box_centre: Floats, half: Floats) -> tuple[bool, bool]:
+    """Left, right: lowest corner of the foot below 4 mm; turn (15, 3, 3), box_centre (15, 3), half (2, 3) m."""
+    left, right = FEET
+    return (
+        lowest_corner(turn[left], box_centre[left], half[0]) < CONTACT_HEIGHT_M,
+        lowest_corner(turn[right], box_centre[right], half[1]) < CONTACT_HEIGHT_M,
+    )

@@ -42,11 +42,22 @@ def _sound(rotation: Floats, velocity: Floats, kp: Floats, kd: Floats, feedforwa
 
 def unsound_characters(bodies: Sequence[BodyDynamics], position: Floats, velocity: Floats) -> list[int]:
     """Characters whose part of qpos or qvel is not finite, faster than any body or out of the world."""
-    # the comparisons are false for NaN
-    if velocity.dot(velocity) < SPEED_LIMIT**2 and position.dot(position) < PLACE_LIMIT_M**2:
+    if well_within_bounds(position, velocity):
         return []
 
     def sound(body: BodyDynamics) -> bool:
         return bool(np.abs(velocity[body.dofs]).max() < SPEED_LIMIT and np.abs(position[body.coordinates]).max() < PLACE_LIMIT_M)
 
     return [index for index, body in enumerate(bodies) if not sound(body)]
+
+
+@compiled
+def well_within_bounds(position: Floats, velocity: Floats) -> bool:
+    """True where even the length of the whole qpos and of the whole qvel stay below the limits of a single number."""
+    fast = far = 0.0
+    for speed in velocity:
+        fast += speed * speed
+    for place in position:
+        far += place * place
+    # the comparisons are false for NaN
+    return fast < SPEED_LIMIT**2 and far < PLACE_LIMIT_M**2

@@ -4,7 +4,6 @@ Each step, in the six rows of every root, M(q_k) (v_{k+1} - v_k) / h + c(q_k, v_
 pushes must vanish, and the step must start from the state in which the last one ended.
 """
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -13,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
-from game import rotation_compiled as one
 from game.characters.skeleton import PART_COUNT
 from game.compiled import compiled
 from game.physics.contacts import FLOOR, ContactForces, contact_forces
 from game.physics.dynamics import BodyDynamics
+from game.physics.root_balance import keep_largest, root_balance
 
 Floats = NDArray[np.float64]
 
@@ -44,7 +43,9 @@ class HonestyMeter:
         self._root_place, self._root_turn = data.xpos[roots], data.xmat[roots]
         self._end_position = data.qpos.copy()
         self._end_velocity = data.qvel.copy()
-        self._momentum, self._change = np.empty(model.nv), np.empty(model.nv)
+        self._velocity_change, self._change = np.empty(model.nv), np.empty(model.nv)
+        self._residual = np.empty((len(bodies), 6))
+        self._step_s, self._owner = float(model.opt.timestep), model.geom_bodyid
         self._wrench = np.zeros((64, 6))
         self._wrench_rows = list(self._wrench)
         self.active = True
@@ -57,12 +58,11 @@ class HonestyMeter:
 
     def accept_state(self) -> None:
         """The present state is where the last step ended (after a stated placement or a roll-back)."""
-        np.copyto(self._end_position, self._position)
-        np.copyto(self._end_velocity, self._velocity)
+        copy_state(self._position, self._velocity, self._end_position, self._end_velocity)
 
     def continues(self) -> bool:
         """True where the state is that in which the last step ended."""
-        return same(self._position, self._end_position) and same(self._velocity, self._end_velocity)
+        return same_state(self._position, self._velocity, self._end_position, self._end_velocity)
 
     def take_back(self, body: BodyDynamics) -> None:
         """Put one character back to where the last step ended."""
@@ -71,7 +71,7 @@ class HonestyMeter:
 
     def record_written_state(self) -> None:
         """A state that somebody wrote counts as the force that would have caused it."""
-        data, h = self._data, self._model.opt.timestep
+        data, h = self._data, self._step_s
         jump = np.empty(self._model.nv)
         mj.mj_differentiatePos(self._model, jump, h * h, self._end_position, self._position)
         jump += (self._velocity - self._end_velocity) / h
@@ -82,24 +82,31 @@ class HonestyMeter:
     def after_step(self, pushes: Sequence[Push]) -> None:
         """Take the step's balance. The data still holds M, c and contacts of its start."""
         if self.active:
-            data, count = self._data, self._data.ncon
-            while count > len(self._wrench_rows):
-                self._grow()
-            for i in range(count):
-                mj.mj_contactForce(self._model, data, i, self._wrench_rows[i])
-            np.subtract(self._velocity, self._end_velocity, out=self._momentum)
-            mj.mj_mulM(self._model, data, self._change, self._momentum)
-            contacts = data.contact
-            residual = root_balance(
-                self._change, self._model.opt.timestep, self._bias, self._first_rows, self._root_place, self._root_turn,
-                contacts.pos, contacts.frame, self._wrench[:count], self._model.geom_bodyid[contacts.geom], self._pairs,
+            model, data, contacts = self._model, self._data, self._data.contact
+            count = self._read_wrenches()
+            np.subtract(self._velocity, self._end_velocity, out=self._velocity_change)
+            mj.mj_mulM(model, data, self._change, self._velocity_change)
+            excess = root_balance(
+                self._change, self._step_s, self._bias, self._first_rows, self._root_place, self._root_turn, count,
+                contacts.pos, contacts.frame, contacts.friction, contacts.geom, self._owner, self._wrench, self._pairs, self._residual,
             )  # fmt: skip
-            if count:
-                self.worst_cone_excess_n = max(self.worst_cone_excess_n, cone_excess(self._wrench[:count], contacts.friction))
+            if excess > self.worst_cone_excess_n:
+                self.worst_cone_excess_n = excess
             for push in pushes:
-                residual[push.character] -= self._root_force_of(push)
-            self._record(residual)
+                self._residual[push.character] -= self._root_force_of(push)
+            self._record(self._residual)
         self.accept_state()
+
+    def _read_wrenches(self) -> int:
+        """Fill the first rows of `_wrench` with the step's contact forces, in the contacts' frames; how many there are."""
+        model, data, count, read = self._model, self._data, self._data.ncon, mj.mj_contactForce
+        while count > len(self._wrench_rows):
+            self._wrench = np.zeros((2 * len(self._wrench), 6))
+            self._wrench_rows = list(self._wrench)
+        rows = self._wrench_rows
+        for i in range(count):
+            read(model, data, i, rows[i])
+        return count
 
     @property
     def contacts(self) -> ContactForces | None:
@@ -123,65 +130,27 @@ class HonestyMeter:
         torque = rotation.cross(arm, push.force) @ self._root_turn[push.character].reshape(3, 3)
         return np.concatenate((push.force, torque))
 
-    def _grow(self) -> None:
-        self._wrench = np.zeros((2 * len(self._wrench), 6))
-        self._wrench_rows = list(self._wrench)
-
     def _record(self, residual: Floats) -> None:
-        if not self.active:
-            return
-        for row, (x, y, z, a, b, c) in enumerate(residual.tolist()):
-            self.unexplained_force_n[row] = max(self.unexplained_force_n[row], math.sqrt(x * x + y * y + z * z))
-            self.unexplained_torque_nm[row] = max(self.unexplained_torque_nm[row], math.sqrt(a * a + b * b + c * c))
+        if self.active:
+            keep_largest(residual, self.unexplained_force_n, self.unexplained_torque_nm)
 
 
 @compiled
-def root_balance(
-    change: Floats, step_s: float, bias: Floats, first_rows: NDArray[np.int64], root_place: Floats, root_turn: Floats,
-    point: Floats, frame: Floats, wrench: Floats, body: NDArray[np.int32], pairs: NDArray[np.bool_],
-) -> Floats:  # fmt: skip
-    """(characters, 6) what nothing explains in the root rows: M dv / h + c minus the contact forces; notes who touched whom.
-
-    change (nv,): M dv; root_place (characters, 3), root_turn (characters, 9); point (n, 3), frame (n, 9), wrench (n, 6), body (n, 2).
-    """
-    residual = np.empty((len(first_rows), 6))
-    for character in range(len(first_rows)):
-        first = first_rows[character]
-        for row in range(6):
-            residual[character, row] = change[first + row] / step_s + bias[first + row]
-    force = np.empty(3)
-    for i in range(len(point)):
-        pairs[body[i, 0], body[i, 1]] = True
-        for axis in range(3):
-            force[axis] = frame[i, axis] * wrench[i, 0] + frame[i, 3 + axis] * wrench[i, 1] + frame[i, 6 + axis] * wrench[i, 2]
-        for side in range(2):
-            if body[i, side] == 0:
-                continue
-            character = (body[i, side] - 1) // PART_COUNT
-            sign = 1.0 if side == 1 else -1.0
-            torque = one.cross(point[i] - root_place[character], force)
-            turn = root_turn[character]
-            for axis in range(3):
-                residual[character, axis] -= sign * force[axis]
-                in_root = turn[axis] * torque[0] + turn[3 + axis] * torque[1] + turn[6 + axis] * torque[2]
-                residual[character, 3 + axis] -= sign * in_root
-    return residual
-
-
-@compiled
-def cone_excess(wrench: Floats, friction: Floats) -> float:
-    """N, how far the worst contact leaves the friction cone: negative normal force, or tangential force beyond mu N."""
-    worst = -np.inf
-    for i in range(len(wrench)):
-        tangential = math.sqrt(wrench[i, 1] * wrench[i, 1] + wrench[i, 2] * wrench[i, 2])
-        worst = max(worst, -wrench[i, 0], tangential - friction[i, 0] * wrench[i, 0])
-    return worst
-
-
-@compiled
-def same(a: Floats, b: Floats) -> bool:
+def same_state(position: Floats, velocity: Floats, other_position: Floats, other_velocity: Floats) -> bool:
     """Equal number by number."""
-    for i in range(len(a)):  # noqa: SIM110 (a compiled loop)
-        if a[i] != b[i]:
+    for i in range(len(position)):
+        if position[i] != other_position[i]:
+            return False
+    for i in range(len(velocity)):  # noqa: SIM110 (a compiled loop)
+        if velocity[i] != other_velocity[i]:
             return False
     return True
+
+
+@compiled
+def copy_state(position: Floats, velocity: Floats, to_position: Floats, to_velocity: Floats) -> None:
+    """Copy qpos and qvel."""
+    for i in range(len(position)):
+        to_position[i] = position[i]
+    for i in range(len(velocity)):
+        to_velocity[i] = velocity[i]

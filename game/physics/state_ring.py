@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-CONTENT = mj.mjtState.mjSTATE_INTEGRATION
+CONTENT = int(mj.mjtState.mjSTATE_INTEGRATION)
 
 
 class StateRing:
@@ -14,7 +14,7 @@ class StateRing:
 
     def __init__(self, model: mj.MjModel, data: mj.MjData, length: int = 480) -> None:
         self._model, self._data = model, data
-        self._states = np.empty((length, mj.mj_stateSize(model, CONTENT)))
+        self._states = list(np.empty((length, mj.mj_stateSize(model, CONTENT))))
         self._taken = 0
 
     def __len__(self) -> int:

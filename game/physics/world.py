@@ -56,7 +56,6 @@ class World:
         self.step_count = 0
         self.guard_actions = 0
         self.faults: list[str] = []
-        self.peak_torque: Floats = np.zeros(self.model.nv)
         self._pushes: list[tuple[int, Push]] = []
         self.stated_pushes: list[dict[str, object]] = []
         """Every push a scene stated: step, character, part, force (N), steps."""
@@ -120,7 +119,6 @@ class World:
         failed = unsound_characters(self.characters, self._position, self._velocity)
         moved = not failed or self._repeat(failed)
         self.actuation.settle()
-        np.maximum(self.peak_torque, np.abs(self.actuation.torque), out=self.peak_torque)
         if moved:
             self.meter.after_step(pushes)
         else:
@@ -128,6 +126,11 @@ class World:
         self.step_count += 1
         self._digest.update(self._position)
         self._digest.update(self._velocity)
+
+    @property
+    def peak_torque(self) -> Floats:
+        """(nv,) N m, the largest torque of each axis so far."""
+        return self.actuation.peak_torque
 
     @property
     def state_sha256(self) -> str:

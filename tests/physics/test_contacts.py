@@ -5,7 +5,7 @@ import pytest
 
 from game.characters.skeleton import PARTS
 from game.physics.contacts import contact_forces
-from game.physics.honesty import cone_excess
+from game.physics.root_balance import cone_excess
 from game.physics.world import World
 from game.tunables import Settings
 from tests.physics.standing import hold, limp, original, run, swing, thrash, world_of
