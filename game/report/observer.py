@@ -17,7 +17,7 @@ class Observer:
         """length_s: of the recording, seconds; None where it does not end."""
         self._fighter, self._length_s = fighter, length_s
         self.upright = UprightClock(fighter.plan.idle_com_height)
-        self.error = TrackingError(fighter.plan)
+        self.error = TrackingError()
         self.wrists = WristFollowing(SAMPLE_HZ)
 
     def observe(self, simulation: Simulation) -> None:

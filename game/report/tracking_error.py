@@ -5,19 +5,17 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
 from game import rotation_compiled as one
-from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import END_EFFECTOR_PARTS, JOINTS
 from game.compiled import compiled
-from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
+from game.target.forward_kinematics import part_orientations
 from game.target.kinematic_target import KinematicTarget
 
 Floats = NDArray[np.float64]
 
 _WITHOUT_WRISTS = np.array([not name.startswith("wrist") for name in JOINTS])
 _WITHOUT_ENDS = np.array([not name.startswith(("wrist", "ankle")) for name in JOINTS])
-_EFFECTORS = list(END_EFFECTOR_PARTS)
+_EFFECTORS = np.array(END_EFFECTOR_PARTS)
 
 
 class PosedBody(Protocol):
@@ -45,22 +43,38 @@ def in_heading(points: Floats, root_position: Floats, root_orientation: Floats) 
 
 
 @compiled
-def _mean_angles(own: Floats, wanted: Floats, heading_rad: float) -> Floats:
-    """(n,) mean absolute angle of the three axes between orientations (n, 4), the wanted ones first turned about the vertical."""
+def _add_mean_angles(own: Floats, wanted: Floats, heading_rad: float, sums: Floats) -> None:
+    """Add to `sums` (n,) the mean absolute angle of the three axes between orientations (n, 4), the wanted turned about the vertical."""
     heading = one.about_z(heading_rad)
-    out = np.empty(len(own))
     for i in range(len(own)):
         error = one.log(one.multiply(one.conjugate(own[i]), one.multiply(heading, wanted[i])))
-        out[i] = (abs(error[0]) + abs(error[1]) + abs(error[2])) / 3.0
-    return out
+        sums[i] += (abs(error[0]) + abs(error[1]) + abs(error[2])) / 3.0
+
+
+@compiled
+def _add_errors(
+    orientation: Floats, joint: Floats, rotation: Floats, root_position: Floats, root_orientation: Floats, wanted_rotation: Floats,
+    wanted_effector: Floats, angles: Floats, distances: Floats,
+) -> None:  # fmt: skip
+    """Add one sample to the sums of angles (2, 14), parent frame and world, and of end-effector distances (5,).
+
+    The body's orientation (15, 4), joint (15, 3), rotation (14, 4); the root and joint rotations (14, 4) it is held against, and the
+    places wanted of its end-effectors (5, 3).
+    """
+    _add_mean_angles(rotation, wanted_rotation, 0.0, angles[0])
+    wanted = part_orientations(root_orientation, wanted_rotation)
+    _add_mean_angles(orientation[1:], wanted[1:], one.yaw(orientation[0]) - one.yaw(wanted[0]), angles[1])
+    own = in_heading(joint[_EFFECTORS], joint[0], orientation[0])
+    place = in_heading(wanted_effector, root_position, root_orientation)
+    for i in range(len(own)):
+        distances[i] += one.length(own[i] - place[i])
 
 
 class TrackingError:
     """Means over samples at 30 Hz while upright. Against the processed target wrists are left out of joint errors, as in the thesis;
     against the mapped input the ankles too, since the balance strategy owns them. End-effectors: all five, relative to the root."""
 
-    def __init__(self, plan: BodyPlan) -> None:
-        self._plan = plan
+    def __init__(self) -> None:
         self._samples = 0
         self._sums = {"target": np.zeros((2, 14)), "mapped": np.zeros((2, 14))}
         self._effector = {"target": np.zeros(5), "mapped": np.zeros(5)}
@@ -68,20 +82,14 @@ class TrackingError:
     def sample(self, body: PosedBody, joint_rotation: Floats, target: KinematicTarget) -> None:
         """One frame of the character against its target; joint_rotation (14, 4) is the character's own."""
         self._samples += 1
-        mapped = target.mapped
-        mapped_pose = pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, mapped.joint_rotation)
-        own = in_heading(body.joint[_EFFECTORS], body.joint[0], body.orientation[0])
-        self._add("target", body, joint_rotation, target.pose, target.joint_rotation)
-        self._add("mapped", body, joint_rotation, mapped_pose, mapped.joint_rotation)
-        at_target = in_heading(target.pose.joint[_EFFECTORS], target.root_position, target.root_orientation)
-        at_input = in_heading(mapped.end_effector, mapped.root_position, mapped.root_orientation)
-        for key, place in (("target", at_target), ("mapped", at_input)):
-            self._effector[key] += np.sqrt(np.sum((own - place) ** 2, axis=1))
-
-    def _add(self, key: str, body: PosedBody, joint_rotation: Floats, pose: PosedSkeleton, rotations: Floats) -> None:
-        self._sums[key][0] += _mean_angles(joint_rotation, rotations, 0.0)
-        heading = rotation.yaw(body.orientation[0]) - rotation.yaw(pose.orientation[0])
-        self._sums[key][1] += _mean_angles(body.orientation[1:], pose.orientation[1:], heading)
+        for key, pose, effector in (
+            ("target", target, target.pose.joint[_EFFECTORS]),
+            ("mapped", target.mapped, target.mapped.end_effector),
+        ):
+            _add_errors(
+                body.orientation, body.joint, joint_rotation, pose.root_position, pose.root_orientation, pose.joint_rotation,
+                effector, self._sums[key], self._effector[key],
+            )  # fmt: skip
 
     def summary(self) -> dict[str, float | str | None]:
         """The report's entries; None where nothing was sampled."""

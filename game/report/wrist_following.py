@@ -4,14 +4,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.skeleton import END_EFFECTOR_PARTS, END_EFFECTORS
+from game.compiled import compiled
 from game.report.tracking_error import PosedBody, in_heading
 from game.target.kinematic_target import KinematicTarget
 
 Floats = NDArray[np.float64]
 
-_WRISTS = [i for i, name in enumerate(END_EFFECTORS) if name.startswith("wrist")]
-_HANDS = [END_EFFECTOR_PARTS[i] for i in _WRISTS]
+_WRISTS = np.array([i for i, name in enumerate(END_EFFECTORS) if name.startswith("wrist")])
+_HANDS = np.array(END_EFFECTOR_PARTS)[_WRISTS]
 LONGEST_LAG_S = 0.5
+
+
+@compiled
+def places_in_heading(places: Floats, chosen: NDArray[np.int64], root_position: Floats, root_orientation: Floats) -> Floats:
+    """(3 k,) the k chosen of `places` (n, 3), relative to the root and its heading."""
+    return in_heading(places[chosen], root_position, root_orientation).reshape(-1)
 
 
 class WristFollowing:
@@ -23,9 +30,9 @@ class WristFollowing:
         self._input: list[Floats] = []
 
     def sample(self, body: PosedBody, target: KinematicTarget) -> None:
-        self._own.append(in_heading(body.joint[_HANDS], body.joint[0], body.orientation[0]).reshape(-1))
+        self._own.append(places_in_heading(body.joint, _HANDS, body.joint[0], body.orientation[0]))
         mapped = target.mapped
-        self._input.append(in_heading(mapped.end_effector[_WRISTS], mapped.root_position, mapped.root_orientation).reshape(-1))
+        self._input.append(places_in_heading(mapped.end_effector, _WRISTS, mapped.root_position, mapped.root_orientation))
 
     def lag_s(self) -> float | None:
         """The delay at which the wrists' velocities correlate best with the input's, by a parabola through the peak."""

@@ -3,12 +3,16 @@
 from collections import deque
 
 import numpy as np
+from numpy.typing import NDArray
 
-from game import rotation
+from game import rotation_compiled as one
+from game.compiled import compiled
 from game.report.observer import Observer
 from game.scenes.body_layers import support_polygon
 from game.scenes.scene import Plot
 from game.scenes.simulation import Simulation
+
+Floats = NDArray[np.float64]
 
 WINDOW_FRAMES = 600
 
@@ -22,11 +26,11 @@ class BalancePlots:
     def observe(self, simulation: Simulation, observer: Observer) -> None:
         world = simulation.world
         body, fighter = world.characters[0], simulation.fighters[0]
-        torque = np.abs(world.actuation.torque[body.joint_dofs])
-        error = np.abs(rotation.log(rotation.multiply(rotation.conjugate(body.joint_rotation), fighter.target.joint_rotation)))
-        heights = (body.com_height(), fighter.target.com[2])
-        measured = (error.mean(), error.max(), torque.max(), observer.upright.upright_s)
-        self._rows.append((simulation.time_s, *measured, *heights, *body.com[:2]))
+        mean, worst = _joint_errors(body.joint_rotation, fighter.target.joint_rotation)
+        torque = _largest(world.actuation.torque[body.joint_dofs])
+        x, y, height = body.com.tolist()
+        row = (simulation.time_s, mean, worst, torque, observer.upright.upright_s, height, float(fighter.target.com[2]), x, y)
+        self._rows.append(row)
 
     def plots(self, simulation: Simulation) -> tuple[Plot, ...]:
         if not self._rows:
@@ -49,3 +53,23 @@ class BalancePlots:
             Plot("COM height", "m", {"character": (t, height), "target": (t, wanted)}),
             Plot("upright time", "s", {"upright": (t, upright)}),
         )
+
+
+@compiled
+def _joint_errors(own: Floats, wanted: Floats) -> tuple[float, float]:
+    """Mean and largest angle (rad) about any single axis between rotations (n, 4)."""
+    total = worst = 0.0
+    for j in range(len(own)):
+        for angle in one.log(one.multiply(one.conjugate(own[j]), wanted[j])):
+            total += abs(angle)
+            worst = max(worst, abs(angle))
+    return total / (3 * len(own)), worst
+
+
+@compiled
+def _largest(torque: Floats) -> float:
+    """The largest size in `torque` (n,)."""
+    worst = 0.0
+    for t in torque:
+        worst = max(worst, abs(t))
+    return worst

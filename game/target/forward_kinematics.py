@@ -32,7 +32,7 @@ class PosedSkeleton:
     @cached_property
     def orientation(self) -> Floats:
         """(15, 4) quaternions of the parts, world frame."""
-        return _orientations(self.root_orientation, self.joint_rotation)
+        return part_orientations(self.root_orientation, self.joint_rotation)
 
     def box_centres(self, plan: BodyPlan) -> Floats:
         """(15, 3) centres of the boxes, world frame."""
@@ -63,7 +63,8 @@ def _pose(offset: Floats, root_position: Floats, root_orientation: Floats, joint
 
 
 @compiled
-def _orientations(root_orientation: Floats, joint_rotation: Floats) -> Floats:
+def part_orientations(root_orientation: Floats, joint_rotation: Floats) -> Floats:
+    """(15, 4) world orientations of the parts of a posed skeleton; joint_rotation (14, 4), child in parent frame."""
     orientation = np.empty((PART_COUNT, 4))
     orientation[0] = root_orientation
     for part in range(1, PART_COUNT):

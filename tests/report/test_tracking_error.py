@@ -17,7 +17,7 @@ POSE = any_pose(PLAN, 1, 0.4)
 
 
 def measured(own: PosedSkeleton, wanted: PosedSkeleton, mapped: PosedSkeleton | None = None) -> dict[str, float | str | None]:
-    error = TrackingError(PLAN)
+    error = TrackingError()
     error.sample(body_in(own), own.joint_rotation, target_of(PLAN, wanted, mapped))
     return error.summary()
 
@@ -86,7 +86,7 @@ def test_a_hand_ten_centimetres_off_is_two_centimetres_over_five_end_effectors()
 
 
 def test_samples_are_averaged():
-    error = TrackingError(PLAN)
+    error = TrackingError()
     for angle in (0.1, 0.3):
         own = bent_at("neck", angle)
         error.sample(body_in(own), own.joint_rotation, target_of(PLAN, POSE))
@@ -94,6 +94,6 @@ def test_samples_are_averaged():
 
 
 def test_without_a_sample_there_is_no_error_to_tell():
-    out = TrackingError(PLAN).summary()
+    out = TrackingError().summary()
     assert set(out) == {f"{name}{suffix}" for name in (*ERRORS, "worst_joint") for suffix in ("", "_vs_mapped")}
     assert all(value is None for value in out.values())
