@@ -49,7 +49,7 @@ class BodyDynamics:
         self.box_centre: Floats = self._box_centre.copy()
         self.subtree_com: Floats = self._subtree_com.copy()
         self.com: Floats = self.subtree_com[0]
-        for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian"):
+        for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian", "equations"):
             self.__dict__.pop(name, None)
 
     @property
@@ -71,6 +71,18 @@ class BodyDynamics:
     def joint_rotation(self) -> Floats:
         """(14, 4) child in parent frame."""
         return self._position[7:].reshape(-1, 4).copy()
+
+    @cached_property
+    def equations(self) -> tuple[Floats, Floats]:
+        """Mass matrix (48, 48) and bias forces (48,) of the present state."""
+        model, data = self._model, self._data
+        mj.mj_crb(model, data)
+        mj.mj_comVel(model, data)
+        bias = np.empty(model.nv)
+        mj.mj_rne(model, data, 0, bias)
+        full = np.empty((model.nv, model.nv))
+        mj.mj_fullM(model, data, full)
+        return np.ascontiguousarray(full[self.dofs, self.dofs]), bias[self.dofs]
 
     @cached_property
     def com_jacobian(self) -> Floats:

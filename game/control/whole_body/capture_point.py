@@ -1,0 +1,39 @@
+"""The capture point: where a body would have to stand to come to rest (Pratt et al. 2006), and the steering of it."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.control.whole_body.support_polygon import distance_inside, nearest_inside
+
+Floats = NDArray[np.float64]
+
+
+def natural_frequency(gravity: float, height_m: float) -> float:
+    """1/s of the linear inverted pendulum of a COM at `height_m` above the soles."""
+    return math.sqrt(gravity / max(height_m, 0.2))
+
+
+def capture_point(com: Floats, velocity: Floats, frequency: float) -> Floats:
+    """(2,) xi = c + v / omega."""
+    return com[:2] + velocity[:2] / frequency
+
+
+def predicted(xi: Floats, pivot: Floats, frequency: float, time_s: float) -> Floats:
+    """(2,) the capture point in `time_s`, the centre of pressure staying at `pivot` (2,)."""
+    return pivot + (xi - pivot) * math.exp(frequency * time_s)
+
+
+def pressure_target(xi: Floats, wanted: Floats, frequency: float, gain: float, hull: Floats, beyond_m: float) -> Floats:
+    """(2,) the pivot that brings xi to `wanted` at rate `gain` (1/s), inside the hull; up to `beyond_m` outside once xi nears its edge.
+
+    From xi' = omega (xi - p): p = xi + gain / omega (xi - wanted). Outside the hull no pressure can be: the excess asks the arms and
+    trunk for angular momentum.
+    """
+    pivot = xi + gain / frequency * (xi - wanted)
+    inside = nearest_inside(hull, pivot)
+    allowed = min(max(0.02 - distance_inside(hull, xi), 0.0), beyond_m)
+    excess = pivot - inside
+    length = math.hypot(excess[0], excess[1])
+    return inside if length < 1e-9 else inside + excess * min(1.0, allowed / length)

@@ -1,0 +1,210 @@
+"""Planning of contacts: when a foot may lift, when it has landed, and the steps that save the balance or mend the stance."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.control.whole_body.capture_point import predicted
+from game.control.whole_body.contact_states import FootState, Phase
+from game.control.whole_body.support_polygon import convex_hull, distance_inside, nearest_inside, sole_corners
+
+Floats = NDArray[np.float64]
+
+LIFT_MARGIN_M = 0.008
+PRESSURE_MARGIN_M = 0.012
+STEP_S = 0.26
+RETURN_S = 0.4
+
+
+@dataclass(frozen=True)
+class Sole:
+    """A foot as it is: centre of its sole (3,) and yaw, ankle (3,), whether its lowest corner touches; half extents (m)."""
+
+    centre: Floats
+    yaw: float
+    ankle: Floats
+    touches: bool
+    half_length: float
+    half_width: float
+
+    def corners(self, margin_m: float) -> Floats:
+        """(4, 2) less a margin all round."""
+        return sole_corners(self.centre, self.yaw, max(self.half_length - margin_m, 0.005), max(self.half_width - margin_m, 0.005))
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What the player does: feet up, in flight, where each sole should stand (world xy, 2 x 2) and its yaw."""
+
+    up: tuple[bool, bool]
+    flight: bool
+    place: Floats
+    yaw: tuple[float, float]
+
+
+class Footing:
+    """The phases of both feet. `support` after `update`: the corners the weight may go to, and on which foot it is to go."""
+
+    def __init__(self) -> None:
+        self.feet = [FootState(), FootState()]
+        self.flying = False
+        self.outside_s = 0.0
+        self.amiss_s = 0.0
+        self.intended: int | None = None
+        """The foot that is about to carry all, None for both."""
+
+    def update(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, calm: bool, dt: float) -> None:
+        for foot in self.feet:
+            foot.time_s += dt
+        self._land(soles, wish)
+        self.intended = None
+        standing = [side for side in range(2) if self.feet[side].stands]
+        if self._fly(soles, wish):
+            return
+        if len(standing) == 2:
+            self._lift(soles, xi, wish, calm, dt)
+        elif len(standing) == 1:
+            self.intended = standing[0]
+        self._recover(soles, xi, frequency, wish, dt)
+
+    def hull(self, soles: tuple[Sole, Sole], margin_m: float) -> Floats:
+        """The polygon of the feet that stand; of the intended foot alone where one is about to lift."""
+        sides = [side for side in range(2) if self.feet[side].stands]
+        if not sides:
+            sides = [0, 1]
+        return convex_hull(np.concatenate([soles[side].corners(margin_m) for side in sides]))
+
+    def goal_hull(self, soles: tuple[Sole, Sole], margin_m: float) -> Floats:
+        """Where the capture point should be."""
+        if self.intended is None:
+            return self.hull(soles, margin_m)
+        return convex_hull(soles[self.intended].corners(margin_m))
+
+    def _land(self, soles: tuple[Sole, Sole], wish: Wish) -> None:
+        for side, foot in enumerate(self.feet):
+            touches = soles[side].touches
+            if foot.phase is Phase.SWING and touches and foot.time_s > 0.08 and not wish.up[side]:
+                foot.enter(Phase.STANCE)
+            elif foot.phase is Phase.STEP and touches and foot.time_s > 0.6 * foot.duration_s:
+                foot.enter(Phase.STANCE)
+
+    def _fly(self, soles: tuple[Sole, Sole], wish: Wish) -> bool:
+        airborne = not (soles[0].touches or soles[1].touches)
+        if wish.flight and airborne and not self.flying:
+            self.flying = True
+            for foot in self.feet:
+                foot.enter(Phase.SWING)
+        if self.flying:
+            for side, foot in enumerate(self.feet):
+                if foot.time_s > 0.06 and soles[side].touches:
+                    foot.enter(Phase.STANCE)
+            if any(foot.stands for foot in self.feet):
+                self.flying = False
+                for foot in self.feet:
+                    if not foot.stands:
+                        foot.enter(Phase.SWING)
+        return self.flying
+
+    def _lift(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, calm: bool, dt: float) -> None:
+        side = self._to_lift(soles, wish, calm, dt)
+        if side is None:
+            return
+        self.intended = other = 1 - side
+        if distance_inside(convex_hull(soles[other].corners(LIFT_MARGIN_M)), xi) < 0.0:
+            return
+        if wish.up[side]:
+            self.feet[side].enter(Phase.SWING)
+        else:
+            goal = soles[side].centre.copy()
+            goal[:2] = wish.place[side]
+            self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, wish.yaw[side], RETURN_S)
+            self.amiss_s = 0.0
+
+    def _to_lift(self, soles: tuple[Sole, Sole], wish: Wish, calm: bool, dt: float) -> int | None:
+        """The foot that the player has up, or the one that stands farthest from where it should, once that has lasted."""
+        if wish.up[0] != wish.up[1]:
+            return 0 if wish.up[0] else 1
+        if wish.up[0]:
+            return None
+        astray = [_astray(soles[side], wish, side) for side in range(2)]
+        worst = int(astray[1] > astray[0])
+        self.amiss_s = self.amiss_s + dt if astray[worst] > 1.0 and calm else 0.0
+        if astray[worst] > 1.0 and self.amiss_s > 0.6:
+            return worst
+        return None
+
+    def _recover(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, dt: float) -> None:
+        standing = [side for side in range(2) if self.feet[side].stands]
+        if not standing:
+            return
+        hull = self.hull(soles, 0.0)
+        outside = -distance_inside(hull, xi)
+        pivot = nearest_inside(hull, xi)
+        ahead = -distance_inside(hull, predicted(xi, pivot, frequency, 0.1))
+        self.outside_s = self.outside_s + dt if outside > 0.0 else 0.0
+        if not (outside > 0.025 or ahead > 0.05 or self.outside_s > 0.12):
+            self._retarget(soles, xi, frequency)
+            return
+        if len(standing) == 1:
+            side = 1 - standing[0]
+            foot = self.feet[side]
+            if foot.phase is Phase.SWING:
+                self._step(side, soles, xi, frequency, STEP_S)
+            else:
+                self._retarget(soles, xi, frequency)
+            return
+        self._step(_saving_foot(soles, xi), soles, xi, frequency, STEP_S)
+
+    def _retarget(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float) -> None:
+        """A recovery step under way goes where the capture point will be by then."""
+        for side, foot in enumerate(self.feet):
+            if foot.phase is Phase.STEP and foot.duration_s == STEP_S and foot.time_s < 0.6 * STEP_S:
+                foot.goal = self._capture_goal(side, soles, xi, frequency, STEP_S - foot.time_s)
+
+    def _step(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, duration_s: float) -> None:
+        goal = self._capture_goal(side, soles, xi, frequency, duration_s)
+        self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, soles[1 - side].yaw, duration_s)
+        self.outside_s = 0.0
+        self.intended = 1 - side
+
+    def _capture_goal(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, time_s: float) -> Floats:
+        """(3,) the sole's place at the capture point of touch-down and a little beyond, on its own side of the other foot."""
+        other = soles[1 - side]
+        pivot = nearest_inside(convex_hull(other.corners(PRESSURE_MARGIN_M)), xi)
+        landing = predicted(xi, pivot, frequency, max(time_s, 0.0))
+        away = landing - pivot
+        landing = landing + 0.03 * away / max(math.hypot(away[0], away[1]), 1e-6)
+        c, s = math.cos(other.yaw), math.sin(other.yaw)
+        offset = landing - other.centre[:2]
+        ahead, left = c * offset[0] + s * offset[1], -s * offset[0] + c * offset[1]
+        sign = 1.0 if side == 0 else -1.0
+        left = sign * max(sign * left, 0.19)
+        length = math.hypot(ahead, left)
+        if length > 0.7:
+            ahead, left = ahead * 0.7 / length, left * 0.7 / length
+        goal = np.array([c * ahead - s * left, s * ahead + c * left, 0.0])
+        goal[:2] += other.centre[:2]
+        return goal
+
+
+def _astray(sole: Sole, wish: Wish, side: int) -> float:
+    """How far a planted foot is from where it should stand; beyond 1 it wants mending."""
+    gap = wish.place[side] - sole.centre[:2]
+    return max(math.hypot(gap[0], gap[1]) / 0.09, abs(math.remainder(wish.yaw[side] - sole.yaw, math.tau)) / 0.4)
+
+
+def _saving_foot(soles: tuple[Sole, Sole], xi: Floats) -> int:
+    """Which of two standing feet steps: sideways the one on the side of the fall, else the one that trails."""
+    middle = 0.5 * (soles[0].centre + soles[1].centre)[:2]
+    yaw = soles[0].yaw + 0.5 * math.remainder(soles[1].yaw - soles[0].yaw, math.tau)
+    c, s = math.cos(yaw), math.sin(yaw)
+    away = xi - middle
+    ahead, left = c * away[0] + s * away[1], -s * away[0] + c * away[1]
+    if abs(left) > 0.1 and abs(left) > 0.5 * abs(ahead):
+        return 0 if left > 0.0 else 1
+    lead = float((soles[0].centre[:2] - soles[1].centre[:2]) @ np.array([c, s])) * (1.0 if ahead > 0.0 else -1.0)
+    if abs(lead) > 0.05:
+        return 1 if lead > 0.0 else 0
+    return 0 if left > 0.0 else 1

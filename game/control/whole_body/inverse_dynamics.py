@@ -1,0 +1,165 @@
+"""Joint accelerations, contact wrenches and torques that serve weighted tasks at once, in closed form but for the wrenches.
+
+min 1/2 sum W |A qdd - b|^2 + 1/2 w' E w  subject to the six unactuated rows M_u qdd + h_u = J_u' w. With H = sum A' W A the
+accelerations are qdd = H^-1 (g + M_u' l), so that only the wrenches w remain (twelve numbers at most) for the QP in
+`contact_wrenches`; the torques follow as tau = M_a qdd + h_a - J_a' w. Inverse-dynamics QP: Abe, da Silva & Popovic 2007;
+de Lasa, Mordatch & Hertzmann 2010.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.characters.skeleton import DOF_COUNT
+from game.compiled import compiled
+
+Floats = NDArray[np.float64]
+
+_ROOT_ROWS = 6
+
+
+@compiled
+def add_task(hessian: Floats, gradient: Floats, rows: Floats, weight: Floats, wanted: Floats) -> None:
+    """Add 1/2 sum_i weight_i (rows_i qdd - wanted_i)^2 to the cost; rows (k, 48), lower triangle of hessian (48, 48) only."""
+    used = np.empty(DOF_COUNT, np.int64)
+    for task in range(len(rows)):
+        row = rows[task]
+        count = 0
+        for i in range(DOF_COUNT):
+            if row[i] != 0.0:
+                used[count] = i
+                count += 1
+        for at in range(count):
+            i = used[at]
+            scaled = weight[task] * row[i]
+            gradient[i] += scaled * wanted[task]
+            for other in range(at + 1):
+                hessian[i, used[other]] += scaled * row[used[other]]
+
+
+@compiled
+def cholesky(a: Floats) -> Floats:
+    """(n, n) lower triangular L with L L' = a; only a's lower triangle is read."""
+    count = len(a)
+    out = np.zeros((count, count))
+    for i in range(count):
+        for j in range(i + 1):
+            total = a[i, j]
+            for k in range(j):
+                total -= out[i, k] * out[j, k]
+            out[i, j] = math.sqrt(max(total, 1e-300)) if i == j else total / out[j, j]
+    return out
+
+
+@compiled
+def solve_lower_both(lower: Floats, right: Floats) -> Floats:
+    """(n, m) x with L L' x = right."""
+    count, columns = right.shape
+    x = right.copy()
+    for i in range(count):
+        for k in range(i):
+            for c in range(columns):
+                x[i, c] -= lower[i, k] * x[k, c]
+        for c in range(columns):
+            x[i, c] /= lower[i, i]
+    for i in range(count - 1, -1, -1):
+        for k in range(i + 1, count):
+            for c in range(columns):
+                x[i, c] -= lower[k, i] * x[k, c]
+        for c in range(columns):
+            x[i, c] /= lower[i, i]
+    return x
+
+
+@compiled
+def eliminate(hessian: Floats, mass: Floats) -> tuple[Floats, Floats, Floats]:
+    """What stays when the accelerations are eliminated: L of H, H^-1 M_u' (48, 6), and S^-1 (6, 6) of S = M_u H^-1 M_u'."""
+    lower = cholesky(hessian)
+    response = solve_lower_both(lower, mass[:, :_ROOT_ROWS].copy())
+    schur = np.zeros((_ROOT_ROWS, _ROOT_ROWS))
+    for i in range(_ROOT_ROWS):
+        for j in range(_ROOT_ROWS):
+            for k in range(DOF_COUNT):
+                schur[i, j] += mass[i, k] * response[k, j]
+    return lower, response, solve_lower_both(cholesky(schur), np.eye(_ROOT_ROWS))
+
+
+@compiled
+def wrench_cost(
+    gradient: Floats, lower: Floats, mass: Floats, bias: Floats, schur_inverse: Floats, jacobian: Floats, price: Floats
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """The QP in the wrenches, 1/2 w' Q w + f' w, and what `motion_and_torque` needs: the free accelerations (48,) and residual (6,).
+
+    jacobian (n, 48): one row a wrench component; price (n,): the diagonal of E.
+    """
+    count = len(jacobian)
+    free = solve_lower_both(lower, gradient.copy().reshape(-1, 1))[:, 0].copy()
+    residual = bias[:_ROOT_ROWS].copy()
+    for i in range(_ROOT_ROWS):
+        for k in range(DOF_COUNT):
+            residual[i] += mass[i, k] * free[k]
+    reached = np.zeros((count, _ROOT_ROWS))
+    for n in range(count):
+        for i in range(_ROOT_ROWS):
+            for j in range(_ROOT_ROWS):
+                reached[n, i] += jacobian[n, j] * schur_inverse[j, i]
+    quadratic, linear = np.zeros((count, count)), np.zeros(count)
+    for n in range(count):
+        for m in range(count):
+            for i in range(_ROOT_ROWS):
+                quadratic[n, m] += reached[n, i] * jacobian[m, i]
+        quadratic[n, n] += price[n]
+        for i in range(_ROOT_ROWS):
+            linear[n] -= reached[n, i] * residual[i]
+    return quadratic, linear, free, residual
+
+
+@compiled
+def motion_and_torque(
+    wrench: Floats, free: Floats, residual: Floats, response: Floats, schur_inverse: Floats, mass: Floats, bias: Floats, jacobian: Floats
+) -> tuple[Floats, Floats]:
+    """Accelerations (48,) and joint torques (42,) N m of wrenches (n,)."""
+    force = -residual
+    for n in range(len(wrench)):
+        for i in range(_ROOT_ROWS):
+            force[i] += jacobian[n, i] * wrench[n]
+    acceleration = free.copy()
+    for i in range(_ROOT_ROWS):
+        multiplier = 0.0
+        for j in range(_ROOT_ROWS):
+            multiplier += schur_inverse[i, j] * force[j]
+        for k in range(DOF_COUNT):
+            acceleration[k] += response[k, i] * multiplier
+    torque = bias[_ROOT_ROWS:].copy()
+    for row in range(DOF_COUNT - _ROOT_ROWS):
+        for k in range(DOF_COUNT):
+            torque[row] += mass[_ROOT_ROWS + row, k] * acceleration[k]
+        for n in range(len(wrench)):
+            torque[row] -= jacobian[n, _ROOT_ROWS + row] * wrench[n]
+    return acceleration, torque
+
+
+@compiled
+def torque_of_wrench(
+    rows: NDArray[np.int64], response: Floats, schur_inverse: Floats, mass: Floats, jacobian: Floats
+) -> Floats:
+    """(k, n): how the torques of joint rows `rows` (k,) answer to the wrenches, accelerations included."""
+    count = len(jacobian)
+    out = np.zeros((len(rows), count))
+    answer = np.zeros((DOF_COUNT, _ROOT_ROWS))
+    for k in range(DOF_COUNT):
+        for i in range(_ROOT_ROWS):
+            for j in range(_ROOT_ROWS):
+                answer[k, i] += response[k, j] * schur_inverse[j, i]
+    for at in range(len(rows)):
+        row = _ROOT_ROWS + rows[at]
+        for i in range(_ROOT_ROWS):
+            moved = 0.0
+            for k in range(DOF_COUNT):
+                moved += mass[row, k] * answer[k, i]
+            for n in range(count):
+                out[at, n] += moved * jacobian[n, i]
+        for n in range(count):
+            out[at, n] -= jacobian[n, row]
+    return out

@@ -1,0 +1,71 @@
+"""Where a sole is, how fast it moves, and how joint accelerations move it: Jacobian and velocity-product acceleration."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation_compiled as one
+from game.characters.skeleton import DOF_COUNT, FEET, PARENT
+from game.compiled import compiled
+
+Floats = NDArray[np.float64]
+
+
+def _chain(foot: int) -> list[int]:
+    parts = [foot]
+    while PARENT[parts[0]] > 0:
+        parts.insert(0, PARENT[parts[0]])
+    return parts
+
+
+LEG_PARTS = np.array([_chain(foot) for foot in FEET])
+"""(2, 3) thigh, shank, foot of the left and right leg."""
+
+
+@compiled
+def sole_jacobian(side: int, sole: Floats, joint: Floats, turn: Floats) -> Floats:
+    """(6, 48): linear (world) and angular (world) velocity of the foot at the point `sole` (3,) for each degree of freedom.
+
+    joint (15, 3) joint centres, turn (15, 3, 3) parts to world. Free root: linear in the world, angular in the root frame.
+    """
+    out = np.zeros((6, DOF_COUNT))
+    for axis in range(3):
+        out[axis, axis] = 1.0
+    _columns(out, 3, sole - joint[0], turn[0])
+    for part in LEG_PARTS[side]:
+        _columns(out, 3 + 3 * part, sole - joint[part], turn[part])
+    return out
+
+
+@compiled
+def _columns(out: Floats, first: int, arm: Floats, turn: Floats) -> None:
+    for axis in range(3):
+        column = np.ascontiguousarray(turn[:, axis])
+        swept = one.cross(column, arm)
+        for row in range(3):
+            out[row, first + axis] = swept[row]
+            out[3 + row, first + axis] = column[row]
+
+
+@compiled
+def sole_motion(side: int, sole: Floats, joint: Floats, turn: Floats, velocity: Floats) -> tuple[Floats, Floats]:
+    """Twist (6,) of the sole and its acceleration (6,) at zero generalised acceleration; linear, angular, world frame."""
+    spin = one.turn(turn[0], velocity[3:6])
+    spin_rate = np.zeros(3)
+    linear = velocity[0:3].copy()
+    acceleration = np.zeros(3)
+    last = 0
+    for k in range(4):
+        here = sole if k == 3 else joint[LEG_PARTS[side, k]]
+        arm = here - joint[last]
+        swept = one.cross(spin, arm)
+        linear = linear + swept
+        acceleration = acceleration + one.cross(spin_rate, arm) + one.cross(spin, swept)
+        if k < 3:
+            part = LEG_PARTS[side, k]
+            relative = one.turn(turn[part], velocity[3 + 3 * part : 6 + 3 * part])
+            spin_rate = spin_rate + one.cross(spin, relative)
+            spin = spin + relative
+            last = part
+    twist, bias = np.empty(6), np.empty(6)
+    twist[:3], twist[3:], bias[:3], bias[3:] = linear, spin, acceleration, spin_rate
+    return twist, bias

@@ -1,0 +1,170 @@
+"""The last frames of the target as one smooth motion: position, velocity and acceleration at any moment of the window.
+
+A quadratic is fitted to the last frames in the tangent space of the middle one. Evaluated `delay` behind the newest frame
+it gives the pose with little noise; the newest frames themselves tell balance, ahead of time, where the weight is going.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation_compiled as one
+from game.characters.skeleton import FEET, JOINT_COUNT
+from game.compiled import compiled
+from game.target.kinematic_target import KinematicTarget
+
+Floats = NDArray[np.float64]
+
+FRAMES = 9
+"""At most so many frames are kept; how many count is a matter of time."""
+
+_ROOT, _FEET = JOINT_COUNT, (JOINT_COUNT + 1, JOINT_COUNT + 2)
+_TURNS, _PLACES = JOINT_COUNT + 3, 4
+_COM = 3
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A moment of the target's motion, in the player's world frame.
+
+    turn (17, 4): fourteen joints (child in parent), the root, left and right foot (world); spin, spin_rate (17, 3) in the turned
+    frame; place, velocity, acceleration (4, 3): root, left and right ankle, COM.
+    """
+
+    turn: Floats
+    spin: Floats
+    spin_rate: Floats
+    place: Floats
+    velocity: Floats
+    acceleration: Floats
+
+    @property
+    def joint(self) -> Floats:
+        return self.turn[:JOINT_COUNT]
+
+    @property
+    def root(self) -> Floats:
+        return self.turn[_ROOT]
+
+
+class MotionWindow:
+    """Keeps the last frames; `add` a frame when it comes, ask for a `moment` whenever control needs one."""
+
+    def __init__(self) -> None:
+        self._times = np.zeros(0)
+        self._turns = np.zeros((0, _TURNS, 4))
+        self._places = np.zeros((0, _PLACES, 3))
+        self._fit: tuple[Floats, Floats, Floats] | None = None
+
+    @property
+    def newest_s(self) -> float:
+        return float(self._times[-1])
+
+    @property
+    def newest_places(self) -> Floats:
+        """(4, 3) root, ankles, COM of the newest frame."""
+        return self._places[-1]
+
+    def add(self, target: KinematicTarget, span_s: float) -> None:
+        """Take a frame in; frames older than `span_s` before it are forgotten, but three are always kept where there are three."""
+        turns = np.vstack((target.joint_rotation, target.root_orientation[None], target.pose.orientation[list(FEET)]))
+        places = np.vstack((target.root_position[None], target.pose.joint[list(FEET)], target.com[None]))
+        if len(self._times) and target.time_s <= self._times[-1]:
+            self._times, self._turns, self._places = self._times[:0], self._turns[:0], self._places[:0]
+        self._times = np.append(self._times, target.time_s)[-FRAMES:]
+        self._turns = np.concatenate((self._turns, turns[None]))[-FRAMES:]
+        self._places = np.concatenate((self._places, places[None]))[-FRAMES:]
+        keep = max(3, int(np.count_nonzero(self._times >= target.time_s - span_s - 1e-6)))
+        self._times, self._turns, self._places = self._times[-keep:], self._turns[-keep:], self._places[-keep:]
+        self._fit = _fit(self._times, self._turns, self._places)
+
+    def moment(self, time_s: float) -> Motion:
+        """The motion at `time_s`, held within the window."""
+        assert self._fit is not None
+        middle, turn_terms, place_terms = self._fit
+        last = len(self._times) - 1
+        since = min(max(time_s, self._times[0]), self._times[-1] + 0.5 / 30.0) - self._times[last // 2]
+        return Motion(*_evaluate(middle, turn_terms, place_terms, since))
+
+    def com_velocity(self) -> Floats:
+        """(3,) m/s of the COM over the window, by a straight line: less noisy at its end than the parabola."""
+        times = self._times - self._times.mean()
+        if len(times) < 2:
+            return np.zeros(3)
+        return times @ self._places[:, _COM] / (times @ times)
+
+
+@compiled
+def _solve_quadratic(times: Floats) -> Floats:
+    """(3, n): the least-squares coefficients (1, t, t^2 / 2) of values at n times; lower orders where there are too few."""
+    count = len(times)
+    order = min(count, 3)
+    basis = np.zeros((count, order))
+    for k in range(count):
+        basis[k, 0] = 1.0
+        if order > 1:
+            basis[k, 1] = times[k]
+        if order > 2:
+            basis[k, 2] = 0.5 * times[k] * times[k]
+    # modified Gram-Schmidt: basis = q r
+    q, r = basis.copy(), np.zeros((order, order))
+    for j in range(order):
+        for i in range(j):
+            for k in range(count):
+                r[i, j] += q[k, i] * q[k, j]
+            for k in range(count):
+                q[k, j] -= r[i, j] * q[k, i]
+        total = 0.0
+        for k in range(count):
+            total += q[k, j] * q[k, j]
+        r[j, j] = np.sqrt(total)
+        for k in range(count):
+            q[k, j] /= r[j, j]
+    out = np.zeros((3, count))
+    for k in range(count):
+        for i in range(order - 1, -1, -1):
+            value = q[k, i]
+            for j in range(i + 1, order):
+                value -= r[i, j] * out[j, k]
+            out[i, k] = value / r[i, i]
+    return out
+
+
+@compiled
+def _fit(times: Floats, turns: Floats, places: Floats) -> tuple[Floats, Floats, Floats]:
+    """Middle turns (n, 4); terms of the tangent rotation (n, 3, 3) and of the places (m, 3, 3): order, axis."""
+    count = len(times)
+    middle_at = (count - 1) // 2
+    solve = _solve_quadratic(times - times[middle_at])
+    middle = turns[middle_at].copy()
+    turn_terms = np.zeros((turns.shape[1], 3, 3))
+    place_terms = np.zeros((places.shape[1], 3, 3))
+    for k in range(count):
+        for n in range(turns.shape[1]):
+            away = one.log(one.multiply(one.conjugate(middle[n]), turns[k, n]))
+            for order in range(3):
+                for axis in range(3):
+                    turn_terms[n, order, axis] += solve[order, k] * away[axis]
+        for n in range(places.shape[1]):
+            for order in range(3):
+                for axis in range(3):
+                    place_terms[n, order, axis] += solve[order, k] * places[k, n, axis]
+    return middle, turn_terms, place_terms
+
+
+@compiled
+def _evaluate(middle: Floats, turn_terms: Floats, place_terms: Floats, t: float) -> tuple[Floats, Floats, Floats, Floats, Floats, Floats]:
+    count, places = len(turn_terms), len(place_terms)
+    turn, spin, spin_rate = np.empty((count, 4)), np.empty((count, 3)), np.empty((count, 3))
+    for n in range(count):
+        away = turn_terms[n, 0] + t * turn_terms[n, 1] + 0.5 * t * t * turn_terms[n, 2]
+        turn[n] = one.multiply(middle[n], one.exp(away))
+        spin[n] = turn_terms[n, 1] + t * turn_terms[n, 2]
+        spin_rate[n] = turn_terms[n, 2]
+    place, velocity, acceleration = np.empty((places, 3)), np.empty((places, 3)), np.empty((places, 3))
+    for n in range(places):
+        place[n] = place_terms[n, 0] + t * place_terms[n, 1] + 0.5 * t * t * place_terms[n, 2]
+        velocity[n] = place_terms[n, 1] + t * place_terms[n, 2]
+        acceleration[n] = place_terms[n, 2]
+    return turn, spin, spin_rate, place, velocity, acceleration
