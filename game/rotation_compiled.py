@@ -125,6 +125,18 @@ def log(q: Floats) -> Floats:
 
 
 @compiled
+def turn_to(a: Floats, b: Floats) -> tuple[float, float, float]:
+    """log(conjugate(a) b): the shortest rotation vector from orientation a to orientation b, in the frame of a; makes no arrays."""
+    w = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
+    x = a[0] * b[1] - a[1] * b[0] - a[2] * b[3] + a[3] * b[2]
+    y = a[0] * b[2] + a[1] * b[3] - a[2] * b[0] - a[3] * b[1]
+    z = a[0] * b[3] - a[1] * b[2] + a[2] * b[1] - a[3] * b[0]
+    sine = math.sqrt(x * x + y * y + z * z + 1e-60)
+    scale = 2.0 * math.atan2(sine, abs(w)) / (sine if w >= 0.0 else -sine)
+    return x * scale, y * scale, z * scale
+
+
+@compiled
 def between(a: Floats, b: Floats) -> Floats:
     """The smallest rotation (4,) that turns unit direction a to unit direction b; opposites turn about any normal."""
     q = np.empty(4)

@@ -47,8 +47,8 @@ def _add_mean_angles(own: Floats, wanted: Floats, heading_rad: float, sums: Floa
     """Add to `sums` (n,) the mean absolute angle of the three axes between orientations (n, 4), the wanted turned about the vertical."""
     heading = one.about_z(heading_rad)
     for i in range(len(own)):
-        error = one.log(one.multiply(one.conjugate(own[i]), one.multiply(heading, wanted[i])))
-        sums[i] += (abs(error[0]) + abs(error[1]) + abs(error[2])) / 3.0
+        x, y, z = one.turn_to(own[i], one.multiply(heading, wanted[i]))
+        sums[i] += (abs(x) + abs(y) + abs(z)) / 3.0
 
 
 @compiled

@@ -60,7 +60,7 @@ def _joint_errors(own: Floats, wanted: Floats) -> tuple[float, float]:
     """Mean and largest angle (rad) about any single axis between rotations (n, 4)."""
     total = worst = 0.0
     for j in range(len(own)):
-        for angle in one.log(one.multiply(one.conjugate(own[j]), wanted[j])):
+        for angle in one.turn_to(own[j], wanted[j]):
             total += abs(angle)
             worst = max(worst, abs(angle))
     return total / (3 * len(own)), worst

@@ -125,7 +125,7 @@ def _turned_in_child(before: Floats, after: Floats) -> Floats:
     """(3 n,) rotation vectors from `before` to `after`, (n, 4), in the child frame."""
     out = np.empty(3 * len(before))
     for j in range(len(before)):
-        out[3 * j : 3 * j + 3] = one.log(one.multiply(one.conjugate(before[j]), after[j]))
+        out[3 * j], out[3 * j + 1], out[3 * j + 2] = one.turn_to(before[j], after[j])
     return out
 
 
