@@ -1,0 +1,1 @@
+"""Depth pictures: from raw disparity to metres, points, the floor, and recordings of all that."""
