@@ -15,7 +15,7 @@ from game.tunables import Settings
 Floats = NDArray[np.float64]
 
 _SHANKS = np.array([PARTS.index("lower_leg_left"), PARTS.index("lower_leg_right")])
-_FEET, _ANKLES = np.array(FEET), list(ANKLES)
+_FEET, _ANKLES = np.array(FEET), np.array(ANKLES)
 
 _NO_TORQUE = np.zeros(3 * JOINT_COUNT)
 
@@ -82,6 +82,30 @@ def ankle_rotations(correction: Floats, contact: tuple[bool, bool], orientation:
     return out
 
 
+@compiled
+def _stance(
+    target_com: Floats, target_joint: Floats, target_root: Floats, com: Floats, com_velocity: Floats, box_centre: Floats, root: Floats,
+    contact: tuple[bool, bool], w_com: float, w_vel: float,
+) -> tuple[float, Floats, Floats, Floats, Floats]:  # fmt: skip
+    """Left share, COS (3,), the target's COM offset (3,), the goal of the COM (3,), both from the COS, and the turn (4,) towards it."""
+    left, right = target_joint[_FEET[0]], target_joint[_FEET[1]]
+    w = left_share(target_com, left, right, contact)
+    cos = w * box_centre[_FEET[0]] + (1.0 - w) * box_centre[_FEET[1]]
+    offset = _turned_to_heading(target_com - (w * left + (1.0 - w) * right), root, target_root)
+    above = com - cos
+    goal = com_target(above, com_velocity, offset, w_com, w_vel)
+    return w, cos, offset, goal, _rise(above, goal)
+
+
+@compiled
+def _set_ankles(rotations: Floats, velocity: Floats, ankle: Floats) -> None:
+    """Write the ankles' rotations (2, 4) into (14, 4) of all joints, and rest into their velocity (42,)."""
+    for side in range(2):
+        joint = _ANKLES[side]
+        rotations[joint] = ankle[side]
+        velocity[3 * joint : 3 * joint + 3] = 0.0
+
+
 class AnkleStrategy:
     """Balance strategy `ankle`; keeps nothing between ticks. Its readable fields are for the overlay's balance layer."""
 
@@ -103,8 +127,8 @@ class AnkleStrategy:
         rotations = target.joint_rotation.copy()
         velocity = target.joint_velocity.copy()
         clamp = settings.number("balance.ankle_clamp_rad")
-        rotations[_ANKLES] = ankle_rotations(self._correction(target, dynamics), dynamics.foot_contact, dynamics.orientation, clamp)
-        velocity.reshape(-1, 3)[_ANKLES] = 0.0
+        ankle = ankle_rotations(self._correction(target, dynamics), dynamics.foot_contact, dynamics.orientation, clamp)
+        _set_ankles(rotations, velocity, ankle)
         feedforward = _NO_TORQUE
         if settings.switch("pd.gravity_feedforward"):
             feedforward = gravity_torque(dynamics, self.left_share)
@@ -113,13 +137,9 @@ class AnkleStrategy:
     def _correction(self, target: KinematicTarget, dynamics: BodyState) -> Floats:
         """The turn (4,) of the whole body about the COS that brings the COM to its target."""
         settings = self._settings
-        left, right = target.pose.joint[FEET[0]], target.pose.joint[FEET[1]]
-        self.left_share = w = left_share(target.com, left, right, dynamics.foot_contact)
-        cos = w * dynamics.box_centre[FEET[0]] + (1.0 - w) * dynamics.box_centre[FEET[1]]
-        offset = target.com - (w * left + (1.0 - w) * right)
-        self.target_offset = _turned_to_heading(offset, dynamics.orientation[0], target.root_orientation)
-        com = dynamics.com - cos
-        w_com, w_vel = settings.number("balance.w_com"), settings.number("balance.w_vel")
-        goal = com_target(com, dynamics.com_velocity, self.target_offset, w_com, w_vel)
-        self.cos, self.com_target = cos, cos + goal
-        return _rise(com, goal)
+        self.left_share, self.cos, self.target_offset, goal, correction = _stance(
+            target.com, target.pose.joint, target.root_orientation, dynamics.com, dynamics.com_velocity, dynamics.box_centre,
+            dynamics.orientation[0], dynamics.foot_contact, settings.number("balance.w_com"), settings.number("balance.w_vel"),
+        )  # fmt: skip
+        self.com_target = self.cos + goal
+        return correction

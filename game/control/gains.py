@@ -44,15 +44,19 @@ def dynamic_ratio(state: BodyState) -> Floats:
 
 @compiled
 def _dynamic_ratio(subtree_mass: Floats, subtree_com: Floats, joint: Floats, turn: Floats) -> Floats:
-    ratio = np.empty(3 * JOINT_COUNT)
+    ratio, arm, to_com = np.empty(3 * JOINT_COUNT), np.empty(3), np.empty(3)
     total = subtree_mass[0]
     for j in range(JOINT_COUNT):
-        mass, affected = subtree_mass[j + 1], subtree_com[j + 1]
-        if _IS_LEG[j]:
-            rest = total - mass
-            affected = (total * subtree_com[0] - mass * affected) / rest
-            mass = rest
-        arm = one.turn_back(turn[j + 1], affected - joint[j + 1])
+        part, mass = j + 1, subtree_mass[j + 1]
+        rest = total - mass
+        for axis in range(3):
+            affected = subtree_com[part, axis]
+            if _IS_LEG[j]:
+                affected = (total * subtree_com[0, axis] - mass * affected) / rest
+            to_com[axis] = affected - joint[part, axis]
+        mass = rest if _IS_LEG[j] else mass
+        for axis in range(3):
+            arm[axis] = turn[part, 0, axis] * to_com[0] + turn[part, 1, axis] * to_com[1] + turn[part, 2, axis] * to_com[2]
         squared = one.dot(arm, arm)
         for axis in range(3):
             radius_squared = max(squared - arm[axis] * arm[axis], LEAST_RADIUS_SHARE * LEAST_RADIUS_SHARE * squared)
@@ -62,5 +66,13 @@ def _dynamic_ratio(subtree_mass: Floats, subtree_com: Floats, joint: Floats, tur
 
 def gains(state: BodyState, kp_hat: float, ratio: str) -> tuple[Floats, Floats]:
     """(kp, kd), (42,) each: kp = kp_hat times the ratio, kd = 2 sqrt(kp)."""
-    kp = kp_hat * (MANUAL_RATIO if ratio == "manual" else dynamic_ratio(state))
-    return kp, 2.0 * np.sqrt(kp)
+    return _gains(kp_hat, MANUAL_RATIO if ratio == "manual" else dynamic_ratio(state))
+
+
+@compiled
+def _gains(kp_hat: float, ratio: Floats) -> tuple[Floats, Floats]:
+    kp, kd = np.empty(len(ratio)), np.empty(len(ratio))
+    for row in range(len(ratio)):
+        kp[row] = kp_hat * ratio[row]
+        kd[row] = 2.0 * math.sqrt(kp[row])
+    return kp, kd

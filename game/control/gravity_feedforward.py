@@ -29,19 +29,22 @@ def _gravity_torque(
     subtree_mass: Floats, subtree_com: Floats, joint: Floats, box_centre: Floats, turn: Floats, gravity: float, left_share: float
 ) -> Floats:
     torque = np.zeros(3 * len(_SIDE))
-    weight = np.zeros(3)
     share = (0.0, left_share, 1.0 - left_share)
     for j in range(len(_SIDE)):
         if _ANKLE[j]:
             continue
         part = j + 1
-        weight[2] = -gravity * subtree_mass[part]
-        moment = one.cross(subtree_com[part] - joint[part], weight)
+        # (x, y, z) x (0, 0, weight) = (y weight, -x weight, 0)
+        weight = -gravity * subtree_mass[part]
+        roll = (subtree_com[part, 1] - joint[part, 1]) * weight
+        pitch = -((subtree_com[part, 0] - joint[part, 0]) * weight)
         side = _SIDE[j]
         if side > 0:
-            weight[2] = -gravity * subtree_mass[0] * share[side]
-            moment -= one.cross(box_centre[_FOOT[side]] - joint[part], weight)
-        torque[3 * j : 3 * j + 3] = -one.turn_back(turn[part], moment)
+            foot, weight = _FOOT[side], -gravity * subtree_mass[0] * share[side]
+            roll -= (box_centre[foot, 1] - joint[part, 1]) * weight
+            pitch += (box_centre[foot, 0] - joint[part, 0]) * weight
+        for axis in range(3):
+            torque[3 * j + axis] = -(turn[part, 0, axis] * roll + turn[part, 1, axis] * pitch)
     return torque
 
 

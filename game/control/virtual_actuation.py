@@ -52,6 +52,32 @@ def _turn_from_to(orientation: Floats, wanted: Floats) -> Floats:
     return one.log(one.multiply(one.multiply(heading, wanted), one.conjugate(orientation)))
 
 
+@compiled
+def _com_force(
+    com: Floats, com_velocity: Floats, cos: Floats, target_offset: Floats, w_com: float, stiffness: float, damping: float, mass: float
+) -> Floats:
+    """(3,) N, level: towards the place over the COS, against the COM's velocity."""
+    force = np.zeros(3)
+    for axis in range(2):
+        goal = cos[axis] + w_com * target_offset[axis] - com[axis]
+        force[axis] = mass * (stiffness * goal - damping * com_velocity[axis])
+    return force
+
+
+@compiled
+def _pelvis_torque(orientation: Floats, wanted: Floats, spin: Floats, stiffness: float, damping: float) -> Floats:
+    """(3,) N m, world: towards the target's pelvis, turned to the character's own heading."""
+    return stiffness * _turn_from_to(orientation, wanted) - damping * spin
+
+
+@compiled
+def _add_leg_torques(
+    feedforward: Floats, joint: Floats, box_centre: Floats, turn: Floats, share: Floats, force: Floats, torque: Floats
+) -> Floats:
+    legs = leg_torques(joint, box_centre, turn, share[0] * force, share[1] * force) + _hip_torques(turn, share, torque)
+    return feedforward + legs
+
+
 class VirtualActuation(AnkleStrategy):
     """Adds a COM force and a pelvis torque, both of spring and damper, to what the ankle strategy commands."""
 
@@ -62,22 +88,17 @@ class VirtualActuation(AnkleStrategy):
 
     def command(self, target: KinematicTarget, dynamics: BodyState, dt: float) -> JointCommand:
         command = super().command(target, dynamics, dt)
-        share = np.array([self.left_share, 1.0 - self.left_share]) * dynamics.foot_contact
-        self.force, self.pelvis_torque = self._com_force(dynamics), self._torque_on_pelvis(target, dynamics)
-        legs = leg_torque_of_force(dynamics, share, self.force) + hip_torque_on_pelvis(dynamics, share, self.pelvis_torque)
-        return JointCommand(command.rotation, command.velocity, command.kp, command.kd, command.feedforward + legs)
-
-    def _com_force(self, dynamics: BodyState) -> Floats:
-        """(3,) N, level: towards the place over the COS, against the COM's velocity."""
-        settings = self._settings
-        goal = self.cos + settings.number("balance.w_com") * self.target_offset - dynamics.com
-        pull = settings.number("balance.com_stiffness") * goal - settings.number("balance.com_damping") * dynamics.com_velocity
-        pull[2] = 0.0
-        return dynamics.subtree_mass[0] * pull
-
-    def _torque_on_pelvis(self, target: KinematicTarget, dynamics: BodyState) -> Floats:
-        """(3,) N m, world: towards the target's pelvis, turned to the character's own heading."""
-        settings = self._settings
-        error = _turn_from_to(dynamics.orientation[0], target.root_orientation)
-        stiffness, damping = settings.number("balance.pelvis_stiffness"), settings.number("balance.pelvis_damping")
-        return stiffness * error - damping * dynamics.root_spin
+        number = self._settings.number
+        left, right = dynamics.foot_contact
+        share = np.array([left * self.left_share, right * (1.0 - self.left_share)])
+        self.force = _com_force(
+            dynamics.com, dynamics.com_velocity, self.cos, self.target_offset, number("balance.w_com"),
+            number("balance.com_stiffness"), number("balance.com_damping"), dynamics.subtree_mass[0],
+        )  # fmt: skip
+        self.pelvis_torque = _pelvis_torque(
+            dynamics.orientation[0], target.root_orientation, dynamics.root_spin,
+            number("balance.pelvis_stiffness"), number("balance.pelvis_damping"),
+        )  # fmt: skip
+        legs = dynamics.joint, dynamics.box_centre, dynamics.turn
+        feedforward = _add_leg_torques(command.feedforward, *legs, share, self.force, self.pelvis_torque)
+        return JointCommand(command.rotation, command.velocity, command.kp, command.kd, feedforward)
