@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiled import compiled
 from kinect.body import JOINT_COUNT, BodyFrame, Joint
 
 Floats = NDArray[np.float64]
@@ -44,7 +45,7 @@ class Plausibility:
         last = self._last
         if not np.isfinite(frame.time_s) or (last is not None and frame.time_s <= last.time_s):
             return f"a frame's time does not advance ({frame.time_s:.3f} s): it is dropped"
-        if last is not None and _all_seen(frame):
+        if last is not None and _all_seen(frame.positions, frame.confidence):
             return self._jump(frame, last, jump_limit_m)
         seen = np.logical_and.reduce(np.isfinite(frame.positions), axis=1) & (frame.confidence > 0.0)
         if not seen[Joint.HIP_CENTER]:
@@ -63,7 +64,7 @@ class Plausibility:
         return ""
 
     def _repair(self, frame: BodyFrame) -> BodyFrame:
-        if _all_seen(frame):
+        if _all_seen(frame.positions, frame.confidence):
             return frame
         finite = np.isfinite(frame.positions).all(axis=1)
         confidence = np.where(finite, np.nan_to_num(frame.confidence), 0.0)
@@ -79,6 +80,13 @@ class Plausibility:
         return replace(frame, positions=held + share[:, None] * step, confidence=confidence)
 
 
-def _all_seen(frame: BodyFrame) -> bool:
-    """Every joint tracked and finite: the usual frame, which needs no repair."""
-    return bool(frame.confidence.min() >= 1.0) and math.isfinite(frame.positions.sum())
+@compiled
+def _all_seen(positions: Floats, confidence: Floats) -> bool:
+    """Every joint (n, 3) tracked and finite: the usual frame, which needs no repair."""
+    for joint in range(len(positions)):
+        if not confidence[joint] >= 1.0:
+            return False
+        for axis in range(3):
+            if not math.isfinite(positions[joint, axis]):
+                return False
+    return True

@@ -3,8 +3,12 @@
 After the SDK's documented parameters and the filter it describes (M. Azimi, Skeletal Joint Smoothing White Paper, 2012).
 """
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
+
+from game.compiled import compiled
 
 Floats = NDArray[np.float64]
 
@@ -25,17 +29,34 @@ class JointSmoothing:
         if self._filtered is None or strength <= 0.0:
             self._filtered, self._trend = joints, np.zeros_like(joints)
             return joints
-        smoothing = min(SMOOTHING * strength, 0.95)
-        radius = JITTER_RADIUS_M * strength
+        self._filtered, self._trend, smoothed = _smooth(joints, self._filtered, self._trend, strength)
+        return smoothed
+
+
+@compiled
+def _smooth(joints: Floats, last: Floats, last_trend: Floats, strength: float) -> tuple[Floats, Floats, Floats]:
+    """Filtered joints, their trend and the output, (20, 3) each, from the new joints, the last filtered ones and their trend."""
+    smoothing = min(SMOOTHING * strength, 0.95)
+    radius, limit = JITTER_RADIUS_M * strength, MAX_DEVIATION_M * strength
+    filtered, trend, out = np.empty_like(joints), np.empty_like(joints), np.empty_like(joints)
+    for j in range(len(joints)):
         # small moves are jitter: they are pulled towards the last output in proportion
-        move = joints - self._filtered
-        distance = np.sqrt(np.sum(move * move, axis=1, keepdims=True))
-        calm = self._filtered + move * np.minimum(1.0, distance / radius)
-        filtered = (1.0 - smoothing) * calm + smoothing * (self._filtered + self._trend)
-        trend = CORRECTION * (filtered - self._filtered) + (1.0 - CORRECTION) * self._trend
-        predicted = filtered + PREDICTION * trend
-        self._filtered, self._trend = filtered, trend
+        calm = min(1.0, _distance(joints[j], last[j]) / radius)
+        for axis in range(3):
+            before, slope = last[j, axis], last_trend[j, axis]
+            now = (1.0 - smoothing) * (before + (joints[j, axis] - before) * calm) + smoothing * (before + slope)
+            filtered[j, axis] = now
+            trend[j, axis] = CORRECTION * (now - before) + (1.0 - CORRECTION) * slope
+            out[j, axis] = now + PREDICTION * trend[j, axis]
         # the output may not stray from the sensor's word by more than the deviation limit
-        stray = predicted - joints
-        length = np.sqrt(np.sum(stray * stray, axis=1, keepdims=True))
-        return joints + stray * np.minimum(1.0, MAX_DEVIATION_M * strength / np.maximum(length, 1e-12))
+        share = min(1.0, limit / max(_distance(out[j], joints[j]), 1e-12))
+        for axis in range(3):
+            out[j, axis] = joints[j, axis] + (out[j, axis] - joints[j, axis]) * share
+    return filtered, trend, out
+
+
+@compiled
+def _distance(a: Floats, b: Floats) -> float:
+    """Between two points (3,)."""
+    x, y, z = a[0] - b[0], a[1] - b[1], a[2] - b[2]
+    return math.sqrt(x * x + y * y + z * z)
