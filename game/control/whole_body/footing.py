@@ -50,18 +50,22 @@ class Footing:
     def __init__(self) -> None:
         self.feet = [FootState(), FootState()]
         self.flying = False
+        self.landed_s = 10.0
+        """Since the last flight."""
         self.outside_s = 0.0
         self.amiss_s = 0.0
         self.intended: int | None = None
         """The foot that is about to carry all, None for both."""
 
-    def update(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, calm: bool, dt: float) -> None:
+    def update(
+        self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, calm: bool, taking_off: bool, dt: float
+    ) -> None:
         for foot in self.feet:
             foot.time_s += dt
         self._land(soles, wish)
         self.intended = None
         standing = [side for side in range(2) if self.feet[side].stands]
-        if self._fly(soles, wish):
+        if self._fly(soles, wish, taking_off, dt):
             return
         if len(standing) == 2:
             self._lift(soles, xi, wish, calm, dt)
@@ -90,9 +94,10 @@ class Footing:
             elif foot.phase is Phase.STEP and touches and foot.time_s > 0.6 * foot.duration_s:
                 foot.enter(Phase.STANCE)
 
-    def _fly(self, soles: tuple[Sole, Sole], wish: Wish) -> bool:
+    def _fly(self, soles: tuple[Sole, Sole], wish: Wish, taking_off: bool, dt: float) -> bool:
+        self.landed_s += dt
         airborne = not (soles[0].touches or soles[1].touches)
-        if wish.flight and airborne and not self.flying:
+        if wish.flight and (airborne or taking_off) and not self.flying:
             self.flying = True
             for foot in self.feet:
                 foot.enter(Phase.SWING)
@@ -102,9 +107,10 @@ class Footing:
                     foot.enter(Phase.STANCE)
             if any(foot.stands for foot in self.feet):
                 self.flying = False
-                for foot in self.feet:
+                self.landed_s = 0.0
+                for side, foot in enumerate(self.feet):
                     if not foot.stands:
-                        foot.enter(Phase.SWING)
+                        foot.enter(Phase.STANCE if soles[side].centre[2] < 0.06 else Phase.SWING)
         return self.flying
 
     def _lift(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, calm: bool, dt: float) -> None:

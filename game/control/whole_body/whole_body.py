@@ -15,7 +15,7 @@ from game.control.whole_body.contact_wrenches import cone_rows, solve_wrenches
 from game.control.whole_body.footing import PRESSURE_MARGIN_M, Footing, Sole, Wish
 from game.control.whole_body.inverse_dynamics import add_task, eliminate, motion_and_torque, torque_of_wrench, wrench_cost
 from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration
-from game.control.whole_body.leg_kinematics import sole_jacobian, sole_motion
+from game.control.whole_body.leg_kinematics import LEG_PARTS, sole_jacobian, sole_motion
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.player_stance import PlayerStance
 from game.control.whole_body.support_polygon import nearest_inside
@@ -48,6 +48,8 @@ class WholeBody:
         self._since_s = 0.0
         self.com_target = dynamics.com.copy()
         self.fallen = False
+        self.landing = False
+        self.wrench = np.zeros(0)
 
     def command(self, target: KinematicTarget, dynamics: BodyState, dt: float) -> JointCommand:
         self._listen(target, dynamics, dt)
@@ -84,13 +86,20 @@ class WholeBody:
         xi = capture_point(body.com, body.com_velocity, frequency)
         wish = self._wish(motion, body, soles)
         calm = math.hypot(*(xi - body.com[:2])) < 0.05
-        self.footing.update(soles, xi, frequency, wish, calm, dt)
+        self.footing.update(soles, xi, frequency, wish, calm, self._taking_off(body), dt)
         goal = self._capture_goal(target, soles, frequency)
         wanted = nearest_inside(self.footing.goal_hull(soles, 0.02), goal)
         self.com_target[:2] = wanted
         hull = self.footing.hull(soles, PRESSURE_MARGIN_M)
         self.xi, self.xi_wanted = xi, wanted
         return pressure_target(xi, wanted, frequency, self._settings.number("whole_body.capture_rate"), hull, 0.03), frequency
+
+    def _taking_off(self, body: BodyState) -> bool:
+        """The COM rises on straight legs or unloaded feet: the floor has nothing more to give."""
+        if body.com_velocity[2] < 0.35:
+            return False
+        load = float(self.wrench[2::6].sum()) if len(self.wrench) else 0.0
+        return load < 0.08 * body.subtree_mass[0] * body.gravity or max(_reach(body, side) for side in range(2)) > 0.995
 
     def _wish(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole]) -> Wish:
         player = self._player
@@ -124,7 +133,7 @@ class WholeBody:
         feet = self.footing.feet
 
         # joints and pelvis
-        limit = TORQUE_LIMIT * settings.number("whole_body.strength")
+        limit = TORQUE_LIMIT * settings.number("whole_body.strength") * np.clip((28.0 - np.abs(velocity[6:])) / 10.0, 0.05, 1.0)
         own = mass.diagonal()[6:]
         wanted = joint_accelerations(
             body.joint_rotation, velocity[6:], motion.joint, motion.spin[:JOINT_COUNT], motion.spin_rate[:JOINT_COUNT],
@@ -230,13 +239,26 @@ class WholeBody:
         goal = -30.0 * twist
         goal[3:] += 150.0 * flat
         ramp = min(1.0, 0.1 + self.footing.feet[side].time_s / 0.06)
+        if not sole.touches:
+            goal[2] -= 100.0 * max(sole.centre[2], 0.0)
+            ramp = 0.02
         return np.full(6, 20000.0 * ramp), goal
 
     def _swing_task(self, side: int, sole: Sole, twist: Floats, motion: Motion, body: BodyState) -> tuple[Floats, Floats]:
         player, foot = self._player, self.footing.feet[side]
         assert player is not None
         orientation = body.orientation[FEET[side]]
-        goal = np.empty(6)
+        goal = np.zeros(6)
+        if self.footing.flying:
+            facing = one.about_z(one.yaw(player.orientation(motion.turn[JOINT_COUNT + 1 + side])))
+            frame = body.turn[FEET[side]]
+            goal[3:] = frame @ turn_acceleration(orientation, frame.T @ twist[3:], facing, np.zeros(3), 250.0, 30.0, 200.0)
+            theirs = 0.5 * (motion.place[1] + motion.place[2])
+            under = self.xi + player.direction(motion.place[1 + side] - theirs)[:2] + _forward(one.yaw(facing), sole)
+            goal[:2] = 150.0 * (under - sole.centre[:2]) + 25.0 * (body.com_velocity[:2] - twist[:2])
+            size = math.hypot(goal[0], goal[1])
+            goal[:2] *= min(1.0, 40.0 / max(size, 1e-9))
+            return np.array([10.0, 10.0, 0.0, 3.0, 3.0, 3.0]), goal
         if foot.phase is Phase.STEP:
             place, velocity, acceleration, yaw = foot.step_motion(0.06)
             facing, spin = one.about_z(yaw), np.zeros(3)
@@ -266,6 +288,11 @@ class WholeBody:
         assert player is not None
         height = player.place(motion.place[3])[2]
         self.com_target[2] = height
+        if self.footing.landed_s < 0.6:
+            self.landing = (self.landing or self.footing.landed_s < 0.02) and height > body.com[2]
+            if self.landing:
+                # not after the player up into the air again: soften the landing until he comes down too
+                return min(max(-12.0 * body.com_velocity[2], -5.0), 9.0)
         wanted = 100.0 * (height - body.com[2]) + 20.0 * (motion.velocity[3, 2] - body.com_velocity[2]) + motion.acceleration[3, 2]
         return min(max(wanted, -5.0), 14.0)
 
@@ -277,6 +304,13 @@ class WholeBody:
 def dynamics_rest(body: BodyState) -> float:
     """m, ankle above the sole."""
     return float(body.plan.joint[FEET[0], 2])
+
+
+def _reach(body: BodyState, side: int) -> float:
+    """Distance from hip to ankle over the length of the straight leg."""
+    thigh, shank, foot = LEG_PARTS[side]
+    length = np.linalg.norm(body.plan.joint_offset[shank]) + np.linalg.norm(body.plan.joint_offset[foot])
+    return float(np.linalg.norm(body.joint[thigh] - body.joint[foot]) / length)
 
 
 def _forward(yaw: float, sole: Sole) -> Floats:
