@@ -1,9 +1,12 @@
 """Inverses of the end-effector Jacobian with null-space pose tracking: pseudoinverse, damped and selectively damped least squares."""
 
+import math
 from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
+
+from game.compiled import compiled
 
 Floats = NDArray[np.float64]
 
@@ -69,7 +72,11 @@ SOLVERS: Mapping[str, Solver] = {
 """ik.method to its solver; "none" takes the mapped pose as it is."""
 
 
+@compiled
 def clamp_targets(error: Floats, limit_m: float) -> Floats:
     """Each end-effector's error (k, 3) shortened to at most `limit_m` (D_max of Buss & Kim 2005)."""
-    length = np.sqrt(np.sum(error * error, axis=1, keepdims=True))
-    return error * np.minimum(1.0, limit_m / np.maximum(length, 1e-12))
+    out = np.empty_like(error)
+    for k in range(len(error)):
+        x, y, z = error[k]
+        out[k] = error[k] * min(1.0, limit_m / max(math.sqrt(x * x + y * y + z * z), 1e-12))
+    return out

@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation_compiled as one
 from game.characters.skeleton import END_EFFECTOR_PARTS, JOINT_COUNT, PARENT
 from game.compiled import compiled
 from game.target.forward_kinematics import PosedSkeleton
@@ -31,9 +30,13 @@ def _jacobian(turn: Floats, joint: Floats) -> Floats:
         # the effector is its own part's joint centre, which that part's rotation does not move
         part = _PARENT[effector]
         while part > 0:
-            arm = joint[effector] - joint[part]
+            x, y, z = joint[effector] - joint[part]
             axes = turn[_PARENT[part]]
             for axis in range(3):
-                jacobian[3 * i : 3 * i + 3, 3 * (part - 1) + axis] = one.cross(axes[:, axis], arm)
+                column = 3 * (part - 1) + axis
+                # axis x arm
+                jacobian[3 * i, column] = axes[1, axis] * z - axes[2, axis] * y
+                jacobian[3 * i + 1, column] = axes[2, axis] * x - axes[0, axis] * z
+                jacobian[3 * i + 2, column] = axes[0, axis] * y - axes[1, axis] * x
             part = _PARENT[part]
     return jacobian

@@ -62,10 +62,10 @@ def map_input(joints: Floats, calibration: Calibration) -> MappedInput:
     root, joint_rotation = map_orientations(joints, calibration)
     placed = map_positions(joints, calibration)
     effector = placed[_EFFECTOR_JOINTS]
-    trunk = rotation.multiply(root, joint_rotation[0])
-    effector[2:4] += rotation.rotate(trunk, calibration.shoulder_offset)
-    effector[4] += rotation.rotate(trunk, calibration.neck_offset)
-    position = placed[Joint.HIP_CENTER] + rotation.rotate(root, calibration.root_offset)
+    trunk = one.matrix(rotation.multiply(root, joint_rotation[0]))
+    effector[2:4] += rotation.turn(trunk, calibration.shoulder_offset)
+    effector[4] += rotation.turn(trunk, calibration.neck_offset)
+    position = placed[Joint.HIP_CENTER] + rotation.turn(one.matrix(root), calibration.root_offset)
     return MappedInput(position, root, joint_rotation, effector)
 
 
@@ -97,7 +97,7 @@ class TargetTracker:
         if self._last is None:
             return pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, previous)
         last = self._last.pose
-        turn = rotation.matrix(mapped.root_orientation) @ last.turn[0].T
+        turn = one.matrix(mapped.root_orientation) @ last.turn[0].T
         joint = mapped.root_position + (last.joint - last.joint[0]) @ turn.T
         return PosedSkeleton(turn @ last.turn, joint, mapped.root_orientation, previous)
 

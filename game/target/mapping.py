@@ -88,6 +88,11 @@ def _map(joints: Floats, pelvis: Floats, trunk: Floats, idle: Floats) -> tuple[F
 
 def map_positions(joints: Floats, calibration: "Calibration") -> Floats:
     """Sensed joints (20, 3), world frame, scaled to the character's size, its floor and its starting place."""
-    placed = calibration.scale * (joints - calibration.origin)
-    placed[:, 2] += calibration.rise_m
+    return _place(joints, calibration.scale, calibration.origin, calibration.rise_m)
+
+
+@compiled
+def _place(joints: Floats, scale: float, origin: Floats, rise_m: float) -> Floats:
+    placed = scale * (joints - origin)
+    placed[:, 2] += rise_m
     return placed
