@@ -1,5 +1,6 @@
-"""The ordered stages between a sensor's frame and the kinematic target: plausibility, levelling, mirror, smoothing."""
+"""The ordered stages between a sensor's frame and the kinematic target: plausibility, levelling, mirror, smoothing, gate."""
 
+from game.intake.gate import InputGate
 from game.intake.mirror import mirror
 from game.intake.plausibility import Plausibility
 from game.intake.smoothing import JointSmoothing
@@ -17,6 +18,7 @@ class Intake:
         self._plausibility = Plausibility()
         self._levelling = Levelling()
         self._smoothing = JointSmoothing()
+        self._gate = InputGate(settings)
 
     @property
     def fault(self) -> str:
@@ -28,11 +30,11 @@ class Intake:
         return self._plausibility.held_frames
 
     def apply(self, frame: BodyFrame) -> WorldFrame | None:
-        """The frame in the world, or None where it is refused."""
+        """The frame in the world, or None where it is refused or the gate's buffer still fills."""
         good = self._plausibility.apply(frame, self._settings.number("intake.jump_limit_m"))
         if good is None:
             return None
         raw = self._levelling.apply(good)
         if self._mirrored and self._settings.switch("intake.mirror"):
             raw = mirror(raw)
-        return WorldFrame(good.time_s, self._smoothing.apply(raw, self._settings.number("intake.smoothing")), raw)
+        return self._gate.apply(good.time_s, self._smoothing.apply(raw, self._settings.number("intake.smoothing")), raw)

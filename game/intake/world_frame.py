@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
+from game.intake.foot_contacts import STANDING, FootContacts
 from kinect.body import BodyFrame, Floor, Joint
 
 Floats = NDArray[np.float64]
@@ -19,11 +20,16 @@ _UP = np.array([0.0, 1.0, 0.0])
 
 @dataclass(frozen=True)
 class WorldFrame:
-    """One frame after intake, world frame: capture time_s, joints (20, 3) m, raw (20, 3) m the same before smoothing."""
+    """One frame after intake, world frame: capture time_s, joints (20, 3) m, raw (20, 3) m the same before smoothing and gate.
+
+    contacts: what the feet do; age_s: how long the frame waited in the gate's buffer.
+    """
 
     time_s: float
     joints: Floats
     raw: Floats
+    contacts: FootContacts = STANDING
+    age_s: float = 0.0
 
 
 def level_over_floor(positions: Floats, floor: Floor) -> Floats:

@@ -1,0 +1,71 @@
+"""Which feet bear the player, in every frame as it comes: heights, the sight of the legs and the jump gate taken together."""
+
+from game.intake.foot_contacts import FootContacts
+from game.intake.gate_floor import RestingFoot
+from game.intake.gate_jump import Feet, JumpGate
+from game.intake.gate_legs import ANKLES, Floats, Leg, LegLengths
+from game.tunables import Settings
+from kinect.body import Joint
+
+HIDDEN_LONGER_S = 0.15
+"""Legs that come into sight again are believed only after so long."""
+
+
+class ContactFinder:
+    """Contacts of joints (20, 3), world frame, frame by frame; `rest_m` is the height at which the player's ankles stand."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self.feet = (RestingFoot(0), RestingFoot(1))
+        self.lengths = LegLengths()
+        self._jump = JumpGate()
+        self._time_s: float | None = None
+        self._seen_s = HIDDEN_LONGER_S
+        self._lifted = [False, False]
+
+    @property
+    def rest_m(self) -> float:
+        """Mean resting height of the two ankles: one floor for both."""
+        return 0.5 * (self.feet[0].rest_m + self.feet[1].rest_m)
+
+    def step(self, time_s: float, joints: Floats) -> tuple[FootContacts, tuple[Leg, Leg]]:
+        """Contacts and legs of this frame."""
+        number = self._settings.number
+        if self._time_s is None:
+            lowest = float(joints[list(ANKLES), 2].min())
+            for side, foot in enumerate(self.feet):
+                foot.start(joints, lowest)
+                self._lifted[side] = not foot.down
+            self._time_s = time_s
+        dt, self._time_s = time_s - self._time_s, time_s
+        senses = [foot.sense(joints, dt) for foot in self.feet]
+        legs = self.lengths.observe(joints, dt, standing=not any(self._lifted))
+        hidden = self.lengths.hidden(legs) or any(sense.sunk for sense in senses)
+        self._seen_s = 0.0 if hidden else self._seen_s + dt
+        known = self._seen_s >= HIDDEN_LONGER_S
+        if known:
+            for foot, sense in zip(self.feet, senses, strict=True):
+                foot.decide(sense, dt, up_m=number("gate.up_m"), down_m=number("gate.down_m"), speed_m_s=number("gate.foot_speed_m_s"))
+        pelvis = float(joints[Joint.HIP_CENTER, 2]) - self.rest_m
+        up = (not self.feet[0].down, not self.feet[1].down)
+        flight = self._jump.step(
+            time_s, pelvis, Feet(up, known), push_off_m_s=number("gate.push_off_m_s"), limit_s=number("gate.flight_limit_s")
+        )
+        gated = self._settings.switch("gate.on") and self._settings.switch("gate.jumps")
+        self._bear(up, flight or not gated)
+        if known:
+            share = min(1.0, dt / max(number("gate.floor_time_s"), 1e-3))
+            for foot, lifted in zip(self.feet, self._lifted, strict=True):
+                if not lifted and foot.down:
+                    foot.settle(joints, share)
+        planted = (not self._lifted[0], not self._lifted[1])
+        lifts = [0.0 if on_floor else max(0.0, sense.lift_m) for on_floor, sense in zip(planted, senses, strict=True)]
+        return FootContacts(planted[0], planted[1], not any(planted), lifts[0], lifts[1], known), legs
+
+    def _bear(self, up: tuple[bool, bool], flight: bool) -> None:
+        """Both feet leave in flight only: otherwise the one that stood longer goes on bearing, until the other is down."""
+        if flight or not all(up):
+            self._lifted = list(up)
+        elif all(self._lifted):
+            self._lifted = [False, False]
+        # else one foot is up already and keeps its freedom, or both stand and stay

@@ -1,0 +1,90 @@
+"""Foot contact by height and speed, each foot over its own resting height, with hysteresis."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.intake.gate_legs import ANKLES, FEET
+
+Floats = NDArray[np.float64]
+
+SUNK_M = 0.04
+"""An ankle that sinks this far below its rest has gone through the floor: it was not seen."""
+
+EVEN_M = 0.05
+"""At the start ankles that differ more than this do not both stand."""
+
+FORGOTTEN_S = 1.5
+STILL_M_S = 0.05
+"""A foot that hangs this long and this still less than twice the lifting height above its rest stands there."""
+
+
+@dataclass(frozen=True)
+class FootSense:
+    """One foot in one frame, over its rest: ankle_m of the ankle, lift_m of the whole foot (the lower of ankle and toes); speed_m_s."""
+
+    ankle_m: float
+    lift_m: float
+    speed_m_s: float
+
+    @property
+    def sunk(self) -> bool:
+        return self.ankle_m < -SUNK_M
+
+
+class RestingFoot:
+    """Resting heights of one foot's ankle and toes, learnt while it stands, and whether it is down."""
+
+    def __init__(self, side: int) -> None:
+        self._ankle, self._toes = ANKLES[side], FEET[side]
+        self._rest = [math.nan, math.nan]
+        self._last: Floats | None = None
+        self._still_s = 0.0
+        self.down = True
+
+    @property
+    def rest_m(self) -> float:
+        """Resting height of the ankle, world z."""
+        return self._rest[0]
+
+    def start(self, joints: Floats, lowest_m: float) -> None:
+        """Begin with the first frame; `lowest_m`: height of the lower of the two ankles."""
+        ankle = float(joints[self._ankle, 2])
+        raised = max(0.0, ankle - lowest_m) if ankle - lowest_m > EVEN_M else 0.0
+        self._rest = [ankle - raised, float(joints[self._toes, 2]) - raised]
+        self.down = raised == 0.0
+
+    def sense(self, joints: Floats, dt: float) -> FootSense:
+        """The foot in joints (20, 3), `dt` seconds after the last frame."""
+        ankle = joints[self._ankle]
+        moved = 0.0 if self._last is None or dt <= 0.0 else math.dist(ankle, self._last) / dt
+        self._last = ankle.copy()
+        lift, heel = self.raised(joints)
+        return FootSense(lift + heel, lift, moved)
+
+    def raised(self, joints: Floats) -> tuple[float, float]:
+        """How far the whole foot is over its rest, and how much farther its ankle is: the heel, metres."""
+        ankle = float(joints[self._ankle, 2]) - self._rest[0]
+        lift = min(ankle, float(joints[self._toes, 2]) - self._rest[1])
+        return lift, ankle - lift
+
+    def decide(self, sense: FootSense, dt: float, *, up_m: float, down_m: float, speed_m_s: float) -> None:
+        """Lifts above `up_m`, or sooner where it is fast; is down again below `down_m` once it is slow."""
+        fast = sense.speed_m_s > speed_m_s
+        if self.down:
+            self.down = not (sense.lift_m > up_m or (fast and sense.lift_m > down_m))
+        else:
+            self.down = sense.lift_m < down_m and not fast
+        resting = not self.down and sense.lift_m < 2.0 * up_m and sense.speed_m_s < STILL_M_S
+        self._still_s = self._still_s + dt if resting else 0.0
+        if self._still_s > FORGOTTEN_S:
+            self.down = True
+            self._rest = [height + sense.lift_m for height in self._rest]
+
+    def settle(self, joints: Floats, share: float) -> None:
+        """A standing foot: its rest follows its height by `share`, unless it is through the floor."""
+        heights = (float(joints[self._ankle, 2]), float(joints[self._toes, 2]))
+        if abs(heights[0] - self._rest[0]) < SUNK_M:
+            self._rest = [rest + share * (height - rest) for rest, height in zip(self._rest, heights, strict=True)]

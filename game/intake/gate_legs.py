@@ -1,0 +1,90 @@
+"""The player's legs: how long they are, how far the sensor has shortened them, and whether it shows them at all.
+
+When a player bows or touches the toes, a Kinect lets HipCenter sink by 0.13 to 0.52 m above nearly straight knees: thigh and shin
+shrink. Bones do not, so a leg rebuilt with its own bone lengths along the sensed directions tells how high the hip really is.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinect.body import Joint
+
+Floats = NDArray[np.float64]
+
+HIPS = (Joint.HIP_LEFT, Joint.HIP_RIGHT)
+KNEES = (Joint.KNEE_LEFT, Joint.KNEE_RIGHT)
+ANKLES = (Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT)
+FEET = (Joint.FOOT_LEFT, Joint.FOOT_RIGHT)
+
+LENGTH_TIME_S = 2.0
+"""How slowly the bone lengths follow what upright standing shows."""
+
+UPRIGHT_RAD = 0.35
+STRAIGHT_RAD = 0.45
+"""Lengths are learnt while trunk and knees are straighter than this."""
+
+HIDDEN_SHARE = 0.12
+"""Where both legs have lost this share of their height on straight knees, the sensor does not see them."""
+
+
+@dataclass(frozen=True)
+class Leg:
+    """One leg in one frame. rise_m: by how much its own bone lengths put the hip higher (negative: lower); bend_rad: of the knee."""
+
+    rise_m: float
+    bend_rad: float
+
+
+class LegLengths:
+    """Learns thigh and shin of both legs from upright frames and measures every frame against them."""
+
+    def __init__(self) -> None:
+        self._length: list[list[float]] = []
+        self._learnt_s = 0.0
+
+    @property
+    def leg_m(self) -> float:
+        """Mean length of a leg, hip to ankle, stretched."""
+        return 0.5 * (sum(self._length[0]) + sum(self._length[1]))
+
+    def observe(self, joints: Floats, dt: float, *, standing: bool) -> tuple[Leg, Leg]:
+        """Left and right leg of joints (20, 3), world frame; `standing`: both feet are on the floor, so that lengths may be learnt."""
+        bones = [_bones(joints, side) for side in (0, 1)]
+        if not self._length:
+            self._length = [[thigh[0], shin[0]] for thigh, shin, _ in bones]
+        bends = [bend for _, _, bend in bones]
+        if standing and max(bends) < STRAIGHT_RAD and _lean(joints) < UPRIGHT_RAD:
+            # a plain mean at first, then ever slower
+            self._learnt_s = min(self._learnt_s + dt, LENGTH_TIME_S)
+            share = min(1.0, dt / self._learnt_s) if self._learnt_s > 0.0 else 0.0
+            for side, (thigh, shin, _) in enumerate(bones):
+                self._length[side][0] += share * (thigh[0] - self._length[side][0])
+                self._length[side][1] += share * (shin[0] - self._length[side][1])
+        left, right = (self._leg(side, bones[side]) for side in (0, 1))
+        return left, right
+
+    def hidden(self, legs: tuple[Leg, Leg]) -> bool:
+        """Whether both legs are so short, on straight knees, that they cannot have been seen."""
+        return all(leg.rise_m > HIDDEN_SHARE * self.leg_m and leg.bend_rad < 2.0 * STRAIGHT_RAD for leg in legs)
+
+    def _leg(self, side: int, bones: tuple[tuple[float, float], tuple[float, float], float]) -> Leg:
+        (thigh, thigh_up), (shin, shin_up), bend = bones
+        own_thigh, own_shin = self._length[side]
+        return Leg((own_thigh - thigh) * thigh_up + (own_shin - shin) * shin_up, bend)
+
+
+def _bones(joints: Floats, side: int) -> tuple[tuple[float, float], tuple[float, float], float]:
+    """Thigh and shin, each length (m) and how far up it points (its unit vector's z), and the angle between them (rad)."""
+    thigh = joints[HIPS[side]] - joints[KNEES[side]]
+    shin = joints[KNEES[side]] - joints[ANKLES[side]]
+    a, b = max(math.sqrt(thigh @ thigh), 1e-6), max(math.sqrt(shin @ shin), 1e-6)
+    return (a, float(thigh[2]) / a), (b, float(shin[2]) / b), math.acos(min(1.0, max(-1.0, float(thigh @ shin) / (a * b))))
+
+
+def _lean(joints: Floats) -> float:
+    """Angle of the trunk, hip centre to shoulder centre, from the vertical, rad."""
+    trunk = joints[Joint.SHOULDER_CENTER] - joints[Joint.HIP_CENTER]
+    return math.acos(min(1.0, max(-1.0, float(trunk[2]) / max(math.sqrt(trunk @ trunk), 1e-6))))

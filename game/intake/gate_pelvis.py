@@ -1,0 +1,52 @@
+"""The pelvis as high as the legs that bear it reach: raised where a bow has sunk it, lowered where the sensor stretches the legs."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.intake.gate_legs import HIPS, STRAIGHT_RAD, Leg
+from kinect.body import Joint
+
+Floats = NDArray[np.float64]
+
+STRETCH_SHARE = 0.02
+"""Legs may seem this much too long before the pelvis is lowered."""
+
+SETTLING_S = 0.08
+"""How fast the correction follows what is needed."""
+
+_PELVIS = [Joint.HIP_CENTER, Joint.SPINE, *HIPS]
+_UPPER = [j for j in Joint if j < Joint.HIP_LEFT] + [Joint.HIP_LEFT, Joint.HIP_RIGHT]
+
+
+def needed_rise(leg: Leg, ankle_rise_m: float, leg_m: float, slack_share: float) -> float:
+    """How far the hip over a planted foot should go up (negative: down), metres.
+
+    A shortage within the slack is noise; a bent knee is believed, since a crouch shortens the sight of a thigh too.
+    """
+    rise = leg.rise_m + ankle_rise_m
+    if rise < 0.0:
+        return min(0.0, rise + STRETCH_SHARE * leg_m)
+    short = _step((rise / leg_m - slack_share) / max(slack_share, 1e-3))
+    straight = 1.0 - _step((leg.bend_rad - STRAIGHT_RAD) / STRAIGHT_RAD)
+    return short * straight * rise
+
+
+def _step(x: float) -> float:
+    """Smoothly from 0 at 0 to 1 at 1."""
+    x = min(1.0, max(0.0, x))
+    return x * x * (3.0 - 2.0 * x)
+
+
+class PelvisHeight:
+    """Moves the pelvis by what its legs need; shoulders, head and arms come along downward only, a bow leaves them where they are."""
+
+    def __init__(self) -> None:
+        self.rise_m = 0.0
+
+    def apply(self, joints: Floats, dt: float, needed_m: float) -> None:
+        """Moves joints (20, 3) in place."""
+        self.rise_m += (1.0 - math.exp(-dt / SETTLING_S)) * (needed_m - self.rise_m)
+        if self.rise_m != 0.0:
+            joints[_PELVIS if self.rise_m > 0.0 else _UPPER, 2] += self.rise_m
