@@ -26,6 +26,7 @@ class BodyDynamics:
 
     def __init__(self, model: mj.MjModel, data: mj.MjData, plan: BodyPlan, index: int) -> None:
         self._model, self._data, self.plan = model, data, plan
+        self.index = index
         first = 1 + PART_COUNT * index
         self.root_body = first
         self.bodies = slice(first, first + PART_COUNT)
@@ -56,6 +57,11 @@ class BodyDynamics:
     def gravity(self) -> float:
         """m/s^2, positive."""
         return -float(self._gravity[2])
+
+    @property
+    def held(self) -> bool:
+        """Its root is held by the start-up hang."""
+        return bool(self._data.eq_active[self.index])
 
     @property
     def configuration(self) -> Floats:

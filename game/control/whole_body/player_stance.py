@@ -42,6 +42,9 @@ class PlayerStance:
     def watch(self, target: KinematicTarget) -> None:
         """A new frame: which feet are up."""
         heights = _ankles(target)[:, 2] - self.floor_z - self._rest
+        if not (heights.min() > 0.05 and self.up[0] == self.up[1]):
+            # what lifts both feet by less is the sensor
+            heights = heights - max(heights.min(), -0.1)
         for side in range(2):
             self.up[side] = bool(heights[side] > (DOWN_M if self.up[side] else UP_M))
 
