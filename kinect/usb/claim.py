@@ -22,7 +22,7 @@ def claim_camera(device: Any, what: str) -> None:
             device.set_interface_altsetting(INTERFACE, setting)
     except (usb.core.USBError, NotImplementedError, KinectError) as error:
         let_go(device)
-        raise explained(error, what) from error
+        raise explained(error, what) from None
 
 
 def claim_interface(device: Any) -> None:

@@ -70,7 +70,7 @@ class CameraCommands:
                 except (_NoReply, usb.core.USBError) as error:
                     lost += 1
                     if lost == ATTEMPTS or getattr(error, "errno", None) in (errno.ENODEV, errno.EACCES):
-                        raise self._silent(code) if isinstance(error, _NoReply) else error from error
+                        raise self._silent(code) if isinstance(error, _NoReply) else error from None
                     self._tally.commands_repeated += 1
                     self._clock.sleep(READY_PAUSE_S)
                     continue

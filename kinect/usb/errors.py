@@ -17,6 +17,7 @@ class Fault(Enum):
     UNPLUGGED = "unplugged"
     REFUSED = "stream refused"
     SILENT = "no frames"
+    LOSSY = "packets lost"
     KINECT_V2 = "Kinect v2"
     AZURE = "Azure Kinect"
     PROTOCOL = "no sensible answer"

@@ -54,7 +54,7 @@ class OpenedKinect:
                 self._readers.append(self._reader(VIDEO_ENDPOINT, video.layout, self.video))
         except TROUBLE as error:
             let_go(found.camera)
-            raise explained(error, self.what) from error
+            raise explained(error, self.what) from None
         with contextlib.suppress(*TROUBLE):  # without a motor the rest works all the same
             self.motor = Motor(found.motor) if found.motor is not None else None
 
@@ -77,7 +77,7 @@ class OpenedKinect:
             write_all(self.commands, START_DEPTH + self._video_kind.start)
         except TROUBLE as error:
             self._stop_readers()
-            raise explained(error, self.what) from error
+            raise explained(error, self.what) from None
         self._tally.stream_starts += 1
 
     def stop_streams(self) -> None:
@@ -89,12 +89,15 @@ class OpenedKinect:
 
     def pump(self, timeout_s: float) -> None:
         """Wait at most so long for transfers; whole frames land in `depth` and `video`."""
-        for reader, _ in self._readers[:1] if isinstance(self._readers[0][0], IsoRing) else self._readers:
-            reader.pump(timeout_s)  # libusb's events serve all rings at once
+        for reader, _ in self._readers:
+            reader.pump(timeout_s)
+            if isinstance(reader, IsoRing):
+                return  # libusb's events serve all rings at once
 
     def close(self) -> None:
         """Stop everything and let go of every handle. Never raises."""
         self.stop_streams()
+        self._readers = []  # they refer back to us, and pyusb forgets to give a device back that only the garbage collector frees
         if self.motor is not None:
             self.motor.close()
         let_go(self.found.camera)

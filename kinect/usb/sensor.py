@@ -1,6 +1,7 @@
 """A Kinect v1 as a live source of raw depth frames that looks for itself, wakes itself up, and survives being unplugged."""
 
 import atexit
+import contextlib
 import queue
 import threading
 from collections import deque
@@ -45,6 +46,7 @@ class KinectSensor:
         self._capture = CaptureTime()
         self._last_frame_s = self._last_presence_s = self._last_level_s = 0.0
         self._next_look_s = self._clock.now()
+        self._last_loss_s, self._counted = 0.0, Counters()
         self._restarts = 0
         self._seen_before = False
         self._thread: threading.Thread | None = None
@@ -62,8 +64,9 @@ class KinectSensor:
     def poll(self) -> list[RawDepthFrame]:
         """Every depth frame that arrived since the last call, oldest first, at most the last `kept_frames`."""
         frames = []
-        while self._frames:
-            frames.append(self._frames.popleft())
+        with contextlib.suppress(IndexError):  # the other thread may drop an old frame between any two lines
+            while True:
+                frames.append(self._frames.popleft())
         return frames
 
     def latest_video(self) -> RawVideoFrame | None:
@@ -92,8 +95,10 @@ class KinectSensor:
         self._closing.set()
         if self._thread is not None:
             self._thread.join(10.0)
-            self._thread = None
+            stuck, self._thread = self._thread.is_alive(), None
             atexit.unregister(self.close)
+            if stuck:  # in libusb: what it holds is not ours to free
+                return
         self._let_go()
         self.state, self.fault, self._sentence = SensorState.CLOSED, None, "The Kinect was switched off."
 
@@ -125,7 +130,9 @@ class KinectSensor:
         self._restarts = 0
         self._last_frame_s = self._last_presence_s = self._clock.now()
         self._last_level_s = -1e9
-        self._say(None, f"{found.model.value} found on {found.place}: waiting for its first picture.")
+        self._last_loss_s, self._counted = self._clock.now(), self.counters()
+        if self.fault is not Fault.SILENT:  # which stays true until a picture comes
+            self._say(None, f"{found.model.value} found on {found.place}: waiting for its first picture.")
 
     def _listen(self, opened: OpenedKinect, wait_s: float) -> None:
         opened.pump(wait_s)
@@ -136,6 +143,8 @@ class KinectSensor:
             raise KinectError(Fault.UNPLUGGED, "")
         if opened.motor is not None:
             self._attend_to_motor(opened, opened.motor, now)
+        if now - self._last_loss_s >= self.options.loss_every_s:
+            self._judge_losses(opened, now)
         if silent_s > self.options.silence_s or not opened.listening:
             self._wake(opened)
 
@@ -153,7 +162,7 @@ class KinectSensor:
             self._frames.append(self._depth_frame(arrival))
             if self.state is not SensorState.STREAMING:
                 self.state, self._seen_before = SensorState.STREAMING, True
-                self._say(None, f"{opened.found.model.value} on {opened.found.place} sends depth.")
+                self._say(None, self._sends_depth(opened))
         for arrival in opened.video:
             frame = arrival.frame
             self._video.append(RawVideoFrame(frame.data, frame.ticks, arrival.host_s, frame.received, frame.expected))
@@ -164,6 +173,21 @@ class KinectSensor:
         disparity = unpack11(frame.data).reshape(480, 640)
         time_s = self._capture.seconds(frame.ticks, arrival.host_s)
         return RawDepthFrame(disparity, frame.ticks, time_s, frame.received, frame.expected)
+
+    def _judge_losses(self, opened: OpenedKinect, now: float) -> None:
+        """Say so while the host loses packets, and say when it no longer does."""
+        counters, before = self.counters(), self._counted
+        self._counted, self._last_loss_s = counters, now
+        lost = counters.lost_packets - before.lost_packets
+        share = lost / max(lost + counters.packets - before.packets, 1)
+        if share > self.options.loss_to_tell:
+            sentence = "of the Kinect's packets are lost on the way: try another USB port, straight in the computer, with no hub or webcam beside it."
+            self._say(Fault.LOSSY, f"{share:.0%} {sentence}")
+        elif self.fault is Fault.LOSSY:
+            self._say(None, self._sends_depth(opened))
+
+    def _sends_depth(self, opened: OpenedKinect) -> str:
+        return f"{opened.found.model.value} on {opened.found.place} sends depth."
 
     def _still_there(self, opened: OpenedKinect, now: float) -> bool:
         """Some systems let a stream fall silent instead of saying that its device is gone."""

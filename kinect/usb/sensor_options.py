@@ -28,4 +28,6 @@ class SensorOptions:
     restarts_before_reopen: int = 3
     presence_after_s: float = 0.25  # silence before we ask whether the device is still on the bus
     level_every_s: float = 1.0
+    loss_every_s: float = 2.0
+    loss_to_tell: float = 0.01
     kept_frames: int = 8
