@@ -16,7 +16,7 @@ WARM_UP_S = 0.2
 PLAYS: tuple[tuple[str, str, dict[str, str]], ...] = (
     ("mirror", "performer:standing", {}),
     ("duel", "script", {}),
-    ("mirror", "performer:standing", {"balance.strategy": "ankle", "ik.method": "sdls", "pd.ratio": "manual"}),
+    ("mirror", "performer:standing", {"balance.strategy": "ankle", "ik.method": "sdls", "pd.ratio": "manual", "sensor.noise": "1"}),
     ("mirror", "performer:standing", {"balance.strategy": "none", "ik.method": "pseudoinverse", "pd.gravity_feedforward": "off"}),
 )
 """Scene, input and settings that together call every compiled loop."""

@@ -43,6 +43,7 @@ class SensorNoise:
         self._inferred = InferredRuns(rngs[2])
         self._leaps = Leaps(rngs[3])
         self._tilt = np.clip(rngs[4].standard_normal(2), -2.0, 2.0) * (_PITCH_RAD, _ROLL_RAD)
+        self._turn_scale, self._turn = 0.0, np.eye(3)
         self._waiting: deque[BodyFrame] = deque()
 
     @property
@@ -81,9 +82,15 @@ class SensorNoise:
         offset = scale * self._jitter.step() + outliers * (astray + self._leaps.step())
         offset += scale * hip_drop(true, up) + self._bones.displacement(true, scale)
         confidence = np.where(shown, np.minimum(frame.confidence, INFERRED), frame.confidence)
-        turn = _tilt(scale * self._tilt[0], scale * self._tilt[1])
+        turn = self._turned(scale)
         floor = None if frame.floor is None else Floor._make([*(turn @ np.array(frame.floor[:3])).tolist(), frame.floor.d])
         return replace(frame, positions=(true + offset) @ turn.T, confidence=confidence, floor=floor)
+
+    def _turned(self, scale: float) -> Floats:
+        """(3, 3) of the tilt at `scale`, made anew only where the scale was changed."""
+        if scale != self._turn_scale:
+            self._turn_scale, self._turn = scale, _tilt(scale * self._tilt[0], scale * self._tilt[1])
+        return self._turn
 
 
 def _tilt(pitch: float, roll: float) -> Floats:

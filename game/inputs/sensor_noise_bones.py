@@ -4,10 +4,12 @@ A bone's error is a smooth random function of the whole pose, most of all of its
 rests keeps its (wrong) lengths and a body that moves shows the spread of `BONE_CV`.
 """
 
+import math
 from typing import Final
 
 import numpy as np
 
+from game.compiled import compiled
 from game.inputs.sensor_noise_table import BONE_CV
 from kinect.body import BONES, JOINT_COUNT, Floats, Joint
 
@@ -44,6 +46,31 @@ def _mobility() -> Floats:
 _MOBILITY: Final[Floats] = _mobility()
 _COUPLING: Final[Floats] = (_INCIDENCE * _MOBILITY) @ _INCIDENCE.T
 
+_RIDGE: Final[Floats] = 1e-9 * np.eye(len(BONES))
+_SPREAD: Final[Floats] = BONE_CV * _GAIN
+
+
+@compiled
+def _directions_and_lengths(positions: Floats) -> tuple[Floats, Floats]:
+    """Unit directions (19, 3) and lengths (19,) m of the bones between joints (20, 3); a bone with a lost end has none."""
+    directions, lengths = np.zeros((len(_CHILD), 3)), np.zeros(len(_CHILD))
+    for bone in range(len(_CHILD)):
+        x, y, z = positions[_CHILD[bone]] - positions[_PARENT[bone]]
+        length = math.sqrt(x * x + y * y + z * z)
+        if math.isfinite(length):
+            lengths[bone], least = length, max(length, 1e-6)
+            directions[bone, 0], directions[bone, 1], directions[bone, 2] = x / least, y / least, z / least
+    return directions, lengths
+
+
+@compiled
+def _clipped(share: Floats) -> Floats:
+    """Shares (19,) within the largest change of a bone."""
+    out = np.empty_like(share)
+    for bone in range(len(share)):
+        out[bone] = min(max(share[bone], -_LARGEST), _LARGEST)
+    return out
+
 
 class BoneLengthBias:
     """Displaces joints so that every bone has the length the sensor would report in this pose."""
@@ -60,17 +87,15 @@ class BoneLengthBias:
         """Relative change of each bone at scale 1, (19,), for unit bone directions (19, 3)."""
         waves = np.cos(self._waves @ directions.reshape(-1) + self._phases).reshape(len(BONES), _WAVES)
         spread = waves.sum(axis=1) * np.sqrt(2.0 / _WAVES)
-        return np.clip(BONE_CV * _GAIN * spread, -_LARGEST, _LARGEST)
+        return _clipped(_SPREAD * spread)
 
     def displacement(self, positions: Floats, scale: float) -> Floats:
         """The smallest weighted joint displacement, (20, 3) metres, that changes every bone's length by its share.
 
         To first order along each bone u_b . (d_child - d_parent) = share_b length_b: a weighted minimum-norm solution.
         """
-        bones = np.nan_to_num(positions[_CHILD] - positions[_PARENT])
-        lengths = np.linalg.norm(bones, axis=1)
-        directions = bones / np.maximum(lengths, 1e-6)[:, None]
-        change = np.clip(scale * self.shares(directions), -_LARGEST, _LARGEST) * lengths
-        gram = _COUPLING * (directions @ directions.T) + 1e-9 * np.eye(len(BONES))
+        directions, lengths = _directions_and_lengths(positions)
+        change = _clipped(scale * self.shares(directions)) * lengths
+        gram = _COUPLING * (directions @ directions.T) + _RIDGE
         pull = np.linalg.solve(gram, change)
         return _MOBILITY[:, None] * (_INCIDENCE.T @ (pull[:, None] * directions))

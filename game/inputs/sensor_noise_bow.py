@@ -4,6 +4,7 @@ Measured in real bows: with the trunk at 60 to 100 degrees HipCenter, Spine and 
 0.5 m although the knees are nearly straight; the knees sink by a third of that, ankles and shoulders stay.
 """
 
+import math
 from typing import Final
 
 import numpy as np
@@ -28,12 +29,14 @@ _SHARES: Final[Floats] = _shares()
 def hip_drop(positions: Floats, up: Floats) -> Floats:
     """Displacement of every joint at scale 1, (20, 3) metres, from the true pose (20, 3) and the unit up direction (3,)."""
     trunk = positions[Joint.SHOULDER_CENTER] - positions[Joint.HIP_CENTER]
-    length = float(np.linalg.norm(trunk))
+    length = math.sqrt(trunk @ trunk)
     if not length > 1e-6:
         return np.zeros((JOINT_COUNT, 3))
-    pitch = float(np.arccos(np.clip(trunk @ up / length, -1.0, 1.0)))
+    pitch = float(np.arccos(min(max(trunk @ up / length, -1.0), 1.0)))
+    if pitch <= _STARTS_RAD:
+        return np.zeros((JOINT_COUNT, 3))
     hips = 0.5 * (positions[Joint.HIP_LEFT] + positions[Joint.HIP_RIGHT])
     knees = 0.5 * (positions[Joint.KNEE_LEFT] + positions[Joint.KNEE_RIGHT])
     room = (1.0 - _LEAST_THIGH) * max(0.0, float((hips - knees) @ up))
-    drop = min(_DROP_M_PER_RAD * max(0.0, pitch - _STARTS_RAD), room / (1.0 - _SHARES[Joint.KNEE_LEFT]))
+    drop = min(_DROP_M_PER_RAD * (pitch - _STARTS_RAD), room / (1.0 - _SHARES[Joint.KNEE_LEFT]))
     return -drop * _SHARES[:, None] * up

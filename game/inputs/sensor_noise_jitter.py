@@ -4,6 +4,7 @@ from typing import Final
 
 import numpy as np
 
+from game.compiled import compiled
 from game.inputs.sensor_noise_table import JITTER_MM, RESTING_LAG1
 from kinect.body import BONES, JOINT_COUNT, Floats
 
@@ -42,17 +43,34 @@ class RestingJitter:
 
     def __init__(self, rng: np.random.Generator) -> None:
         self._rng = rng
-        self._past = np.zeros((2, JOINT_COUNT, 3))
+        self._past = np.zeros((JOINT_COUNT, 3)), np.zeros((JOINT_COUNT, 3))
         for _ in range(90):  # three seconds reach the stationary spread
             self._wander()
 
     def step(self) -> Floats:
         """The next displacement, (20, 3) metres at scale 1."""
         mixed = _ALONG_BONES @ self._wander()
-        burst = np.where(self._rng.random((JOINT_COUNT, 1)) < _BURST_SHARE, _BURST, 1.0)
-        return _WANDER_M[:, None] * mixed + _FAST_M[:, None] * burst * self._rng.standard_normal((JOINT_COUNT, 3))
+        return _wander_and_jitter(mixed, self._rng.random(JOINT_COUNT), self._rng.standard_normal((JOINT_COUNT, 3)))
 
     def _wander(self) -> Floats:
-        new = 2.0 * _POLE * self._past[1] - _POLE**2 * self._past[0] + _GAIN * self._rng.standard_normal((JOINT_COUNT, 3))
-        self._past = np.stack([self._past[1], new])
+        before, last = self._past
+        new = _next_wander(before, last, self._rng.standard_normal((JOINT_COUNT, 3)))
+        self._past = last, new
         return new
+
+
+@compiled
+def _next_wander(before: Floats, last: Floats, push: Floats) -> Floats:
+    """(20, 3) of a critically damped walk, from its last two places and the random push."""
+    return 2.0 * _POLE * last - _POLE**2 * before + _GAIN * push
+
+
+@compiled
+def _wander_and_jitter(mixed: Floats, draw: Floats, fast: Floats) -> Floats:
+    """(20, 3) m: the wander and the jitter, which some draws (20,) make a burst."""
+    out = np.empty((JOINT_COUNT, 3))
+    for joint in range(JOINT_COUNT):
+        burst = _BURST if draw[joint] < _BURST_SHARE else 1.0
+        for axis in range(3):
+            out[joint, axis] = _WANDER_M[joint] * mixed[joint, axis] + _FAST_M[joint] * burst * fast[joint, axis]
+    return out

@@ -3,9 +3,13 @@
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
+from game.compiled import compiled
 from game.inputs.sensor_noise_table import INFERRED_SHARE
 from kinect.body import JOINT_COUNT, Floats, Joint
+
+Runs = NDArray[np.int64]
 
 # a run of inferred frames is a flicker of one, a glance away, or a limb that stays hidden: (probability, mean frames)
 _RUNS: Final = ((0.55, 1.0), (0.37, 7.0), (0.08, 85.0))
@@ -29,7 +33,7 @@ class InferredRuns:
 
     def __init__(self, rng: np.random.Generator) -> None:
         self._rng = rng
-        self._left = np.zeros(JOINT_COUNT, dtype=int)
+        self._left = np.zeros(JOINT_COUNT, dtype=np.int64)
         self._gate = np.ones(JOINT_COUNT)
         self._target = np.zeros((JOINT_COUNT, 3))
         self._reached = np.zeros(JOINT_COUNT)
@@ -39,15 +43,14 @@ class InferredRuns:
 
         `scale` up to 1 is the share of the real sensor's runs that happen; more than 1 adds none.
         """
-        start = np.flatnonzero((self._left < 0) & (self._rng.random(JOINT_COUNT) < _START))
-        self._left = np.maximum(self._left, 0)
-        self._reached = 1.0 - _DRIFT * (1.0 - self._reached)
-        for joint in start.tolist():
-            self._begin(joint)
-        running = self._left > 0
-        self._left = self._left - 1  # -1: tracked for at least one frame, free to start again
-        shown = running & (self._gate < scale)
-        return shown, np.where(shown[:, None], self._target * self._reached[:, None], 0.0)
+        start = (self._left < 0) & (self._rng.random(JOINT_COUNT) < _START)
+        _drift(self._left, self._reached)
+        if start.any():
+            for joint in np.flatnonzero(start).tolist():
+                self._begin(joint)
+        shown, offset = np.empty(JOINT_COUNT, dtype=bool), np.empty((JOINT_COUNT, 3))
+        _show(self._left, self._gate, scale, self._target, self._reached, shown, offset)
+        return shown, offset
 
     def _begin(self, joint: int) -> None:
         rng = self._rng
@@ -60,24 +63,45 @@ class InferredRuns:
         self._gate[joint] = rng.random()
 
 
+@compiled
+def _drift(left: Runs, reached: Floats) -> None:
+    """One frame on: nothing is left below 0, and every joint nears the end of its way."""
+    for joint in range(len(left)):
+        left[joint] = max(left[joint], 0)
+        reached[joint] = 1.0 - _DRIFT * (1.0 - reached[joint])
+
+
+@compiled
+def _show(left: Runs, gate: Floats, scale: float, target: Floats, reached: Floats, shown: NDArray[np.bool_], offset: Floats) -> None:
+    """Write which joints are inferred, (20,), and how far they are astray, (20, 3) m; then count the runs down."""
+    for joint in range(len(left)):
+        shown[joint] = left[joint] > 0 and gate[joint] < scale
+        for axis in range(3):
+            offset[joint, axis] = target[joint, axis] * reached[joint] if shown[joint] else 0.0
+        left[joint] -= 1  # -1: tracked for at least one frame, free to start again
+
+
 class Leaps:
     """Hands and feet that leap by 50 to 150 mm for some frames while the sensor calls them tracked; wrists follow halfway."""
 
     def __init__(self, rng: np.random.Generator) -> None:
         self._rng = rng
-        self._left = np.zeros(4, dtype=int)
+        self._left = [0, 0, 0, 0]
         self._leap = np.zeros((4, 3))
 
     def step(self) -> Floats:
         """The next offset of every joint, (20, 3) metres at outlier scale 1."""
         rng = self._rng
-        for limb in np.flatnonzero((self._left == 0) & (rng.random(4) < _LEAP_START)):
-            way = rng.standard_normal(3)
-            self._left[limb] = rng.geometric(1.0 / _LEAP_FRAMES)
-            self._leap[limb] = way * rng.uniform(*_LEAP_M) / np.linalg.norm(way)
-        now = np.where((self._left > 0)[:, None], self._leap, 0.0)
-        self._left = np.maximum(self._left - 1, 0)
+        for limb, draw in enumerate(rng.random(4).tolist()):
+            if self._left[limb] == 0 and draw < _LEAP_START:
+                way = rng.standard_normal(3)
+                self._left[limb] = int(rng.geometric(1.0 / _LEAP_FRAMES))
+                self._leap[limb] = way * rng.uniform(*_LEAP_M) / np.linalg.norm(way)
         offset = np.zeros((JOINT_COUNT, 3))
+        if not any(self._left):
+            return offset
+        now = np.where((np.array(self._left) > 0)[:, None], self._leap, 0.0)
+        self._left = [max(left - 1, 0) for left in self._left]
         offset[[Joint.HAND_LEFT, Joint.HAND_RIGHT, Joint.FOOT_LEFT, Joint.FOOT_RIGHT]] = now
         offset[[Joint.WRIST_LEFT, Joint.WRIST_RIGHT]] = 0.5 * now[:2]
         return offset
