@@ -33,7 +33,7 @@ def pressure_target(xi: Floats, wanted: Floats, frequency: float, gain: float, h
     """
     pivot = xi + gain / frequency * (xi - wanted)
     inside = nearest_inside(hull, pivot)
-    allowed = min(max(0.02 - distance_inside(hull, xi), 0.0), beyond_m)
+    allowed = min(max(-distance_inside(hull, xi), 0.0), beyond_m)
     excess = pivot - inside
     length = math.hypot(excess[0], excess[1])
     return inside if length < 1e-9 else inside + excess * min(1.0, allowed / length)

@@ -12,7 +12,7 @@ from game.control.whole_body.support_polygon import convex_hull, distance_inside
 
 Floats = NDArray[np.float64]
 
-LIFT_MARGIN_M = 0.008
+LIFT_MARGIN_M = 0.02
 PRESSURE_MARGIN_M = 0.012
 STEP_S = 0.26
 RETURN_S = 0.4
@@ -151,42 +151,46 @@ class Footing:
         ahead = -distance_inside(hull, predicted(xi, pivot, frequency, 0.1))
         self.outside_s = self.outside_s + dt if outside > 0.0 else 0.0
         if not (outside > 0.025 or ahead > 0.05 or self.outside_s > 0.12):
-            self._retarget(soles, xi, frequency)
+            self._retarget(soles, xi, frequency, wish)
             return
         if len(standing) == 1:
             side = 1 - standing[0]
             foot = self.feet[side]
             if foot.phase is Phase.SWING:
-                self._step(side, soles, xi, frequency, STEP_S)
+                self._step(side, soles, xi, frequency, wish)
             else:
-                self._retarget(soles, xi, frequency)
+                self._retarget(soles, xi, frequency, wish)
             return
-        self._step(_saving_foot(soles, xi), soles, xi, frequency, STEP_S)
+        self._step(_saving_foot(soles, xi), soles, xi, frequency, wish)
 
-    def _retarget(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float) -> None:
+    def _retarget(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> None:
         """A recovery step under way goes where the capture point will be by then."""
         for side, foot in enumerate(self.feet):
             if foot.phase is Phase.STEP and foot.duration_s == STEP_S and foot.time_s < 0.6 * STEP_S:
-                foot.goal = self._capture_goal(side, soles, xi, frequency, STEP_S - foot.time_s)
+                foot.goal = self._capture_goal(side, soles, xi, frequency, wish, STEP_S - foot.time_s)
 
-    def _step(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, duration_s: float) -> None:
-        goal = self._capture_goal(side, soles, xi, frequency, duration_s)
-        self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, soles[1 - side].yaw, duration_s)
+    def _step(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> None:
+        goal = self._capture_goal(side, soles, xi, frequency, wish, STEP_S)
+        self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, soles[1 - side].yaw, STEP_S)
         self.outside_s = 0.0
         self.intended = 1 - side
 
-    def _capture_goal(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, time_s: float) -> Floats:
-        """(3,) the sole's place at the capture point of touch-down and a little beyond, on its own side of the other foot."""
+    def _capture_goal(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, time_s: float) -> Floats:
+        """(3,) where the sole should come down: where the player has it, moved as little as the capture point of touch-down asks.
+
+        It stays on its own side of the other foot and within a leg's reach.
+        """
         other = soles[1 - side]
         pivot = nearest_inside(convex_hull(other.corners(PRESSURE_MARGIN_M)), xi)
         landing = predicted(xi, pivot, frequency, max(time_s, 0.0))
-        away = landing - pivot
-        landing = landing + 0.03 * away / max(math.hypot(away[0], away[1]), 1e-6)
+        half = soles[side]
+        there = convex_hull(sole_corners(wish.place[side], wish.yaw[side], half.half_length - 0.04, half.half_width - 0.03))
+        place = wish.place[side] + landing - nearest_inside(there, landing)
         c, s = math.cos(other.yaw), math.sin(other.yaw)
-        offset = landing - other.centre[:2]
+        offset = place - other.centre[:2]
         ahead, left = c * offset[0] + s * offset[1], -s * offset[0] + c * offset[1]
         sign = 1.0 if side == 0 else -1.0
-        left = sign * max(sign * left, 0.19)
+        left = sign * max(sign * left, 0.13)
         length = math.hypot(ahead, left)
         if length > 0.7:
             ahead, left = ahead * 0.7 / length, left * 0.7 / length
