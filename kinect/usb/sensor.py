@@ -15,6 +15,7 @@ from kinect.usb.counters import Counters, new_tally, snapshot
 from kinect.usb.discovery import find_kinects
 from kinect.usb.errors import Fault, KinectError, explained
 from kinect.usb.libusb import load_backend
+from kinect.usb.loss_watch import LossWatch
 from kinect.usb.models import Model
 from kinect.usb.motor import Led, Motor, MotorState, no_motor
 from kinect.usb.opened_kinect import TROUBLE, Arrival, OpenedKinect
@@ -46,7 +47,7 @@ class KinectSensor:
         self._capture = CaptureTime()
         self._last_frame_s = self._last_presence_s = self._last_level_s = 0.0
         self._next_look_s = self._clock.now()
-        self._last_loss_s, self._counted = 0.0, Counters()
+        self._losses = LossWatch(self.options.loss_every_s, self.options.loss_to_tell)
         self._restarts = 0
         self._seen_before = False
         self._thread: threading.Thread | None = None
@@ -130,7 +131,7 @@ class KinectSensor:
         self._restarts = 0
         self._last_frame_s = self._last_presence_s = self._clock.now()
         self._last_level_s = -1e9
-        self._last_loss_s, self._counted = self._clock.now(), self.counters()
+        self._losses.begin(self.counters(), self._clock.now())
         if self.fault is not Fault.SILENT:  # which stays true until a picture comes
             self._say(None, f"{found.model.value} found on {found.place}: waiting for its first picture.")
 
@@ -143,8 +144,7 @@ class KinectSensor:
             raise KinectError(Fault.UNPLUGGED, "")
         if opened.motor is not None:
             self._attend_to_motor(opened, opened.motor, now)
-        if now - self._last_loss_s >= self.options.loss_every_s:
-            self._judge_losses(opened, now)
+        self._judge_losses(opened, now)
         if silent_s > self.options.silence_s or not opened.listening:
             self._wake(opened)
 
@@ -175,15 +175,10 @@ class KinectSensor:
         return RawDepthFrame(disparity, frame.ticks, time_s, frame.received, frame.expected)
 
     def _judge_losses(self, opened: OpenedKinect, now: float) -> None:
-        """Say so while the host loses packets, and say when it no longer does."""
-        counters, before = self.counters(), self._counted
-        self._counted, self._last_loss_s = counters, now
-        lost = counters.lost_packets - before.lost_packets
-        share = lost / max(lost + counters.packets - before.packets, 1)
-        if share > self.options.loss_to_tell:
-            sentence = "of the Kinect's packets are lost on the way: try another USB port, straight in the computer, with no hub or webcam beside it."
-            self._say(Fault.LOSSY, f"{share:.0%} {sentence}")
-        elif self.fault is Fault.LOSSY:
+        sentence = self._losses.look(self.counters(), now)
+        if sentence:
+            self._say(Fault.LOSSY, sentence)
+        elif sentence == "" and self.fault is Fault.LOSSY:
             self._say(None, self._sends_depth(opened))
 
     def _sends_depth(self, opened: OpenedKinect) -> str:
@@ -211,10 +206,8 @@ class KinectSensor:
         """The watchdog: start the stream anew, and after some such attempts in vain the device."""
         self._restarts += 1
         self.state = SensorState.STARTING
-        sentence = (
-            "The Kinect is plugged in but sends no pictures: try another USB port, straight in the computer, and check its 12 V supply."
-        )
-        self._say(Fault.SILENT, sentence)
+        remedy = "try another USB port, straight in the computer, and check its 12 V supply."
+        self._say(Fault.SILENT, f"The Kinect is plugged in but sends no pictures: {remedy}")
         if self._restarts >= self.options.restarts_before_reopen:
             self._tally.reopens += 1
             self._let_go()
