@@ -74,13 +74,18 @@ class Motor:
 
     def set_tilt(self, degrees: float) -> None:
         """Turn the head to so many degrees above the horizon, within +-27. Slow and loud: once at the start at most, never in a loop."""
-        if not -SAFE_TILT_DEG <= degrees <= SAFE_TILT_DEG:
-            raise ValueError(f"the Kinect's motor tilts by -{SAFE_TILT_DEG:g} to {SAFE_TILT_DEG:g} degrees, not {degrees:g}")
-        self._device.ctrl_transfer(OUT, SET_TILT, round(2 * degrees) & 0xFFFF, 0, None, TIMEOUT_MS)
+        self._device.ctrl_transfer(OUT, SET_TILT, tilt_word(degrees), 0, None, TIMEOUT_MS)
 
     def close(self) -> None:
         """Let go of the device."""
         let_go(self._device)
+
+
+def tilt_word(degrees: float) -> int:
+    """An angle above the horizon as the motor takes it: half degrees in 16 bits. Raises ValueError beyond +-27 degrees."""
+    if not -SAFE_TILT_DEG <= degrees <= SAFE_TILT_DEG:
+        raise ValueError(f"the Kinect's motor tilts by -{SAFE_TILT_DEG:g} to {SAFE_TILT_DEG:g} degrees, not {degrees:g}")
+    return round(2 * degrees) & 0xFFFF
 
 
 def parse_state(octets: bytes) -> MotorState:

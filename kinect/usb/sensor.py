@@ -17,7 +17,7 @@ from kinect.usb.errors import Fault, KinectError, explained
 from kinect.usb.libusb import load_backend
 from kinect.usb.loss_watch import LossWatch
 from kinect.usb.models import Model
-from kinect.usb.motor import Led, Motor, MotorState, no_motor
+from kinect.usb.motor import Led, Motor, MotorState, no_motor, tilt_word
 from kinect.usb.opened_kinect import TROUBLE, Arrival, OpenedKinect
 from kinect.usb.packing import unpack11
 from kinect.usb.raw_depth_frame import RawDepthFrame, RawVideoFrame
@@ -79,7 +79,8 @@ class KinectSensor:
         self._request(lambda motor: motor.set_led(led))
 
     def set_tilt(self, degrees: float) -> None:
-        """Ask for a tilt, degrees above the horizon. Raises KinectError where this Kinect has no motor that we can drive."""
+        """Ask for a tilt, degrees above the horizon. Raises KinectError where this Kinect has no motor for us, ValueError beyond +-27."""
+        tilt_word(degrees)
         self._request(lambda motor: motor.set_tilt(degrees))
 
     def start(self) -> "KinectSensor":

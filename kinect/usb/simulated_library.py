@@ -23,6 +23,7 @@ class SimulatedLibrary:
         self.references: dict[int, int] = {}
         self.handles: dict[int, tuple[SimulatedHost, SimulatedDevice]] = {}
         self.transfers: dict[int, Any] = {}
+        self.owners: dict[int, SimulatedHost] = {}
         self.misuse: list[str] = []
         self._numbers = itertools.count(0x1000, 0x10)
         self._configurations: dict[int, Any] = {}

@@ -23,10 +23,15 @@ def simulated_backend(host: SimulatedHost) -> Any:
     return module._LibUSB(module._lib)
 
 
-def in_use() -> dict[str, int]:
-    """How much the programs under simulation hold at this moment."""
+def in_use(host: SimulatedHost) -> dict[str, int]:
+    """How much the programs under simulation hold of this host at this moment."""
     library = _pyusb()._lib
-    return {"handles": len(library.handles), "transfers": len(library.transfers), "references": sum(library.references.values())}
+    mine = {number for number, (owner, _) in library.known.items() if owner is host}
+    return {
+        "handles": sum(owner is host for owner, _ in library.handles.values()),
+        "transfers": sum(library.owners.get(address, host) is host for address in library.transfers),
+        "references": sum(library.references[number] for number in mine),
+    }
 
 
 def kill_program(host: SimulatedHost) -> None:

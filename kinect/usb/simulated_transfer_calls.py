@@ -61,6 +61,7 @@ class TransferCalls(SimulatedLibrary):
         if any(address in host.submissions for host in self.contexts.values()):
             self.misuse.append("freed a transfer in flight")
         self.transfers.pop(address, None)
+        self.owners.pop(address, None)
 
     def libusb_submit_transfer(self, pointer: Any) -> int:
         transfer = pointer.contents
@@ -75,6 +76,7 @@ class TransferCalls(SimulatedLibrary):
         if device.claimed_by != number_of(transfer.dev_handle) and not device.gone:
             self.misuse.append("submitted a transfer without a claim")
         kept = self.transfers[address]
+        self.owners[address] = host
         packets = transfer.num_iso_packets
         memory = (ctypes.c_char * (packets * DESCRIPTOR.itemsize)).from_address(ctypes.addressof(transfer.iso_packet_desc))
         descriptors = np.frombuffer(memory, DESCRIPTOR)
