@@ -105,7 +105,7 @@ class Fighter:
             self.fault = self.intake.fault
             if seen is not None:
                 self.frame = seen
-                self.target = self.tracker.step(seen.time_s, seen.joints, seen.raw)
+                self.target = self.tracker.step(seen.time_s, seen.joints, seen.raw, seen.contacts)
 
     def control(self, world: World, dt: float) -> None:
         """Hand the world a new joint command."""

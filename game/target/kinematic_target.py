@@ -10,6 +10,7 @@ from game import rotation_compiled as one
 from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import END_EFFECTOR_PARTS, JOINT_COUNT
 from game.compiled import compiled
+from game.intake.foot_contacts import STANDING, FootContacts
 from game.target.calibration import Calibration
 from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
 from game.target.inverse_kinematics import SOLVERS, clamp_targets
@@ -44,7 +45,7 @@ class KinematicTarget:
 
     root_position (3,), root_orientation (4,); joint_rotation (14, 4) child in parent frame;
     joint_velocity (42,) rad/s in the child frame; pose: world pose of all parts; com (3,); mapped: the input it came from
-    (unsmoothed).
+    (unsmoothed); contacts: what the player's feet do.
     """
 
     time_s: float
@@ -55,6 +56,7 @@ class KinematicTarget:
     pose: PosedSkeleton
     com: Floats
     mapped: MappedInput
+    contacts: FootContacts = STANDING
 
 
 def map_input(joints: Floats, calibration: Calibration) -> MappedInput:
@@ -78,7 +80,7 @@ class TargetTracker:
         self._settings = settings
         self._last: KinematicTarget | None = None
 
-    def step(self, time_s: float, joints: Floats, raw: Floats) -> KinematicTarget:
+    def step(self, time_s: float, joints: Floats, raw: Floats, contacts: FootContacts = STANDING) -> KinematicTarget:
         """The target for joints (20, 3) in the world frame; `raw` are the same joints before smoothing."""
         mapped = map_input(joints, self._calibration)
         raw_mapped = mapped if raw is joints else map_input(raw, self._calibration)
@@ -88,7 +90,7 @@ class TargetTracker:
         if self._last is not None and time_s > self._last.time_s:
             velocity = _turned_in_child(self._last.joint_rotation, rotations) / (time_s - self._last.time_s)
         com = pose.centre_of_mass(self._plan)
-        target = KinematicTarget(time_s, mapped.root_position, mapped.root_orientation, rotations, velocity, pose, com, raw_mapped)
+        target = KinematicTarget(time_s, mapped.root_position, mapped.root_orientation, rotations, velocity, pose, com, raw_mapped, contacts)
         self._last = target
         return target
 

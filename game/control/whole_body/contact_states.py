@@ -29,14 +29,16 @@ class FootState:
     start_yaw: float = 0.0
     goal_yaw: float = 0.0
     duration_s: float = 0.3
-    landed: bool = False
+    behind: Floats = field(default_factory=lambda: np.zeros(3))
+    """Of a swing: how far the foot was from the player's when it began."""
+    fresh: bool = True
 
     @property
     def stands(self) -> bool:
         return self.phase is Phase.STANCE
 
     def enter(self, phase: Phase) -> None:
-        self.phase, self.time_s = phase, 0.0
+        self.phase, self.time_s, self.fresh = phase, 0.0, True
 
     def step_to(self, start: Floats, goal: Floats, start_yaw: float, goal_yaw: float, duration_s: float) -> None:
         self.enter(Phase.STEP)

@@ -11,6 +11,9 @@ Floats = NDArray[np.float64]
 
 STANCE_WEIGHT, SWING_WEIGHT = 20000.0, 150.0
 LANDING_S = 0.06
+CATCH_UP_S = 0.3
+"""How long a foot that lifts late takes to where the player's already is."""
+
 LARGEST_SWING = 80.0
 """m/s^2 a swinging foot may be asked for."""
 
@@ -27,7 +30,7 @@ def stance(twist: Floats, turn: Floats, height_m: float, touches: bool, since_s:
     goal[4] -= 150.0 * turn[0, 2]
     share = min(1.0, 0.1 + since_s / LANDING_S)
     if not touches:
-        goal[2] -= 100.0 * max(height_m, 0.0)
+        goal[2] -= 200.0 * max(height_m, 0.0) + 2.0
         share = 0.02
     return np.full(6, STANCE_WEIGHT * share), goal
 

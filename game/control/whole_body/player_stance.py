@@ -11,9 +11,6 @@ from game.target.kinematic_target import KinematicTarget
 
 Floats = NDArray[np.float64]
 
-UP_M, DOWN_M = 0.04, 0.022
-"""An ankle this far above its rest is up; below that it is down again."""
-
 FLOOR_TIME_S, PLACE_TIME_S = 1.0, 1.0
 """How fast the heights and places of two planted feet become the floor and the place that the character stands on."""
 
@@ -27,6 +24,7 @@ class PlayerStance:
     def __init__(self, ankle_height_m: float) -> None:
         self._rest = ankle_height_m
         self.up = [False, False]
+        self.flight = False
         self.floor_z = 0.0
         self.turn_rad = 0.0
         self._shift = np.zeros(2)
@@ -41,12 +39,8 @@ class PlayerStance:
 
     def watch(self, target: KinematicTarget) -> None:
         """A new frame: which feet are up."""
-        heights = _ankles(target)[:, 2] - self.floor_z - self._rest
-        if not (heights.min() > 0.05 and self.up[0] == self.up[1]):
-            # what lifts both feet by less is the sensor
-            heights = heights - max(heights.min(), -0.1)
-        for side in range(2):
-            self.up[side] = bool(heights[side] > (DOWN_M if self.up[side] else UP_M))
+        self.up = [not planted for planted in target.contacts.planted]
+        self.flight = target.contacts.flight
 
     def drift(self, target: KinematicTarget, ankles: Floats, dt: float) -> None:
         """Both stand on both feet: floor and place follow slowly."""

@@ -12,7 +12,7 @@ from game.control.joint_command import BodyState, JointCommand
 from game.control.whole_body.capture_point import capture_point, natural_frequency, pressure_target
 from game.control.whole_body.contact_states import Phase
 from game.control.whole_body.contact_wrenches import cone_rows
-from game.control.whole_body.foot_tasks import flight, stance, swing
+from game.control.whole_body.foot_tasks import CATCH_UP_S, flight, stance, swing
 from game.control.whole_body.footing import PRESSURE_MARGIN_M, Footing, Sole, Wish
 from game.control.whole_body.inverse_dynamics import eliminate
 from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration
@@ -128,7 +128,7 @@ class WholeBody:
             yaw[side] = one.yaw(player.orientation(motion.turn[JOINT_COUNT + 1 + side]))
             place[side] = ankle[:2] + _forward(yaw[side], soles[side])
         up = (player.up[0], player.up[1])
-        return Wish(up, all(up), place, (yaw[0], yaw[1]))
+        return Wish(up, player.flight, place, (yaw[0], yaw[1]))
 
     def _capture_goal(self, target: KinematicTarget, soles: tuple[Sole, Sole], frequency: float) -> Floats:
         """(2,) the player's own capture point, carried over relative to the feet that both stand on."""
@@ -147,7 +147,7 @@ class WholeBody:
         velocity = body.velocity
         inertia = mass.diagonal()[6:]
         feet = self.footing.feet
-        standing = tuple(side for side in range(2) if feet[side].stands)
+        standing = tuple(side for side in range(2) if feet[side].stands and soles[side].touches)
         low, high = limits_at(TORQUE_LIMIT * settings.number("whole_body.strength"), velocity[6:])
         weight = _JOINT_WEIGHT[standing]
         hessian, gradient = self._joint_tasks(motion, body, velocity, weight, 0.7 * TORQUE_LIMIT / inertia)
@@ -156,7 +156,7 @@ class WholeBody:
             twist, product = sole_motion(side, sole.centre, body.joint, body.turn, velocity)
             task_weight, goal = self._foot_task(side, sole, twist, motion, body)
             jacobian = add_sole(hessian, gradient, side, sole.centre, body.joint, body.turn, task_weight, goal - product)
-            if feet[side].stands:
+            if side in standing:
                 rows.append(wrench_rows(jacobian, body.turn[FEET[side]]))
         if standing:
             com_goal = np.empty(3)
@@ -216,6 +216,12 @@ class WholeBody:
             place[2] = min(place[2], 0.0) - 0.01
             facing = one.about_z(yaw)
         velocity, acceleration = player.direction(motion.velocity[1 + side]), player.direction(motion.acceleration[1 + side])
+        if foot.fresh:
+            foot.fresh = False
+            foot.behind = sole.centre - place
+        left = max(1.0 - foot.time_s / CATCH_UP_S, 0.0)
+        place += left * left * foot.behind
+        velocity -= 2.0 * left / CATCH_UP_S * foot.behind
         return swing(sole.centre, orientation, turn, twist, place, velocity, acceleration, facing, motion.spin[JOINT_COUNT + 1 + side])
 
     def _height_acceleration(self, motion: Motion, body: BodyState) -> float:
