@@ -54,11 +54,13 @@ class HonestyMeter:
         self.unexplained_torque_nm: Floats = np.zeros(len(self._bodies))
         self._pairs = np.zeros((model.nbody, model.nbody), dtype=np.bool_)
         self.worst_cone_excess_n = 0.0
+        self._contacts: ContactForces | None = None
         self.accept_state()
 
     def accept_state(self) -> None:
         """The present state is where the last step ended (after a stated placement or a roll-back)."""
         copy_state(self._position, self._velocity, self._end_position, self._end_velocity)
+        self._contacts_read = False
 
     def continues(self) -> bool:
         """True where the state is that in which the last step ended."""
@@ -110,8 +112,10 @@ class HonestyMeter:
 
     @property
     def contacts(self) -> ContactForces | None:
-        """The contacts of the last step, None where there were none."""
-        return contact_forces(self._model, self._data)
+        """The contacts of the last step, None where there were none; read once a step, however often it is asked for."""
+        if not self._contacts_read:
+            self._contacts, self._contacts_read = contact_forces(self._model, self._data), True
+        return self._contacts
 
     @property
     def partners(self) -> list[str]:
