@@ -33,13 +33,14 @@ def pack11(values: NDArray[np.uint16]) -> NDArray[np.uint8]:
         raise ValueError(f"eleven-bit pixels are packed in groups of 8; {flat.size} values do not divide so")
     if flat.size and (flat.min() < 0 or flat.max() > 0x7FF):
         raise ValueError(f"eleven-bit pixels lie in 0..2047, but these reach from {flat.min()} to {flat.max()}")
-    p = flat.reshape(-1, GROUP_PIXELS).astype(np.uint32).T
-    packed = np.empty((len(flat) // GROUP_PIXELS, GROUP_BYTES), np.uint8)
-    for octet in range(GROUP_BYTES):
-        bits = np.zeros(packed.shape[0], np.uint32)
-        for pixel in range(GROUP_PIXELS):
-            left = 8 * (octet + 1) - BITS * (pixel + 1)  # how far the pixel's last bit stands before the octet's last bit
-            if -8 < -left < BITS:
-                bits |= p[pixel] << left if left >= 0 else p[pixel] >> -left
-        packed[:, octet] = bits & 0xFF
+    pixels = flat.reshape(-1, GROUP_PIXELS)
+    packed = np.empty((len(pixels), GROUP_BYTES), np.uint8)
+    start, end = np.zeros(len(pixels), np.uint64), np.zeros(len(pixels), np.uint32)
+    for pixel in range(5):
+        start |= pixels[:, pixel].astype(np.uint64) << np.uint64(64 - BITS * (pixel + 1))
+    start |= (pixels[:, 5] >> 2).astype(np.uint64)  # 64 bits hold five pixels and nine bits of the sixth
+    for pixel in range(5, GROUP_PIXELS):
+        end |= pixels[:, pixel].astype(np.uint32) << np.uint32(BITS * (GROUP_PIXELS - 1 - pixel))
+    np.ndarray(len(packed), ">u8", packed, 0, (GROUP_BYTES,))[:] = start
+    packed[:, 8], packed[:, 9], packed[:, 10] = end >> 16 & 0xFF, end >> 8 & 0xFF, end & 0xFF
     return packed.reshape(-1)
