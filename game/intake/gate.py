@@ -14,6 +14,7 @@ from game.intake.gate_contacts import ContactFinder
 from game.intake.gate_legs import ANKLES, FEET, HIPS, KNEES
 from game.intake.gate_lock import FootLock
 from game.intake.gate_pelvis import PelvisHeight, needed_rise
+from game.intake.gate_trunk import TrunkTilt
 from game.intake.world_frame import WorldFrame
 from game.tunables import Settings
 
@@ -29,11 +30,12 @@ class InputGate:
         self._buffer = ContactBuffer()
         self._locks = (FootLock(0), FootLock(1))
         self._pelvis = PelvisHeight()
+        self._trunk = TrunkTilt()
         self._last_s: float | None = None
 
     def apply(self, time_s: float, joints: Floats, raw: Floats) -> WorldFrame | None:
         """The gated frame of smoothed joints (20, 3) and `raw`, the same before smoothing; world frame, metres."""
-        contacts, legs = self._finder.step(time_s, raw)
+        contacts, legs = self._finder.step(time_s, raw, joints)
         if not self._settings.switch("gate.on"):
             return WorldFrame(time_s, joints, raw, contacts)
         frame = self._buffer.apply(SensedFrame(time_s, joints, raw, contacts, legs), self._settings.number("gate.buffer_s"))
@@ -46,13 +48,18 @@ class InputGate:
     def _corrected(self, frame: SensedFrame, dt: float) -> Floats:
         out = frame.joints.copy()
         feet = self._placed_feet(frame, dt)
-        needs = []
+        needs, mosts = [], []
         for side, planted in enumerate(frame.contacts.planted):
             if planted:
                 rise = float(feet[side][0, 2] - frame.joints[ANKLES[side], 2])
-                needs.append(needed_rise(frame.legs[side], rise, self._finder.lengths.leg_m, self._settings.number("gate.leg_slack")))
-        mean = sum(needs) / len(needs) if needs and self._settings.switch("gate.pelvis") else 0.0
-        self._pelvis.apply(out, dt, mean)
+                leg, lengths = frame.legs[side], self._finder.lengths
+                needs.append(needed_rise(leg, rise, lengths.leg_m, lengths.stoop_m, self._settings.number("gate.leg_slack")))
+                mosts.append(leg.rise_m + rise)
+        if not self._settings.switch("gate.pelvis"):
+            needs, mosts = [], []
+        self._pelvis.apply(out, dt, sum(needs) / max(1, len(needs)), max(mosts, default=0.0))
+        if dt > 0.0:
+            self._trunk.apply(out, self._settings.number("gate.tilt_rad_s") * dt)
         for side, foot in enumerate(feet):
             out[ANKLES[side]], out[FEET[side]] = foot
             knee, hip = KNEES[side], HIPS[side]

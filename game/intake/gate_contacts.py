@@ -28,8 +28,8 @@ class ContactFinder:
         """Mean resting height of the two ankles: one floor for both."""
         return 0.5 * (self.feet[0].rest_m + self.feet[1].rest_m)
 
-    def step(self, time_s: float, joints: Floats) -> tuple[FootContacts, tuple[Leg, Leg]]:
-        """Contacts and legs of this frame."""
+    def step(self, time_s: float, joints: Floats, smoothed: Floats) -> tuple[FootContacts, tuple[Leg, Leg]]:
+        """Contacts of `joints`, which know sooner, and the legs of the same joints `smoothed`, which leap less."""
         number = self._settings.number
         if self._time_s is None:
             lowest = float(joints[list(ANKLES), 2].min())
@@ -39,7 +39,7 @@ class ContactFinder:
             self._time_s = time_s
         dt, self._time_s = time_s - self._time_s, time_s
         senses = [foot.sense(joints, dt) for foot in self.feet]
-        legs = self.lengths.observe(joints, dt, standing=not any(self._lifted))
+        legs = self.lengths.observe(smoothed, dt, standing=not any(self._lifted))
         hidden = self.lengths.hidden(legs) or any(sense.sunk for sense in senses)
         self._seen_s = 0.0 if hidden else self._seen_s + dt
         known = self._seen_s >= HIDDEN_LONGER_S

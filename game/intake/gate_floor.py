@@ -10,11 +10,14 @@ from game.intake.gate_legs import ANKLES, FEET
 
 Floats = NDArray[np.float64]
 
-SUNK_M = 0.04
+SUNK_M = 0.07
 """An ankle that sinks this far below its rest has gone through the floor: it was not seen."""
 
 EVEN_M = 0.05
 """At the start ankles that differ more than this do not both stand."""
+
+GONE_M = 0.1
+"""A foot that is fast and this far from where it stood is taking a step, however low."""
 
 FORGOTTEN_S = 1.5
 STILL_M_S = 0.05
@@ -23,11 +26,15 @@ STILL_M_S = 0.05
 
 @dataclass(frozen=True)
 class FootSense:
-    """One foot in one frame, over its rest: ankle_m of the ankle, lift_m of the whole foot (the lower of ankle and toes); speed_m_s."""
+    """One foot in one frame, over its rest: ankle_m of the ankle, lift_m of the whole foot (the lower of ankle and toes).
+
+    speed_m_s: of the ankle; away_m: how far it has gone from where it stood, over the floor.
+    """
 
     ankle_m: float
     lift_m: float
     speed_m_s: float
+    away_m: float
 
     @property
     def sunk(self) -> bool:
@@ -41,6 +48,7 @@ class RestingFoot:
         self._ankle, self._toes = ANKLES[side], FEET[side]
         self._rest = [math.nan, math.nan]
         self._last: Floats | None = None
+        self._place: tuple[float, float] | None = None
         self._still_s = 0.0
         self.down = True
 
@@ -62,7 +70,9 @@ class RestingFoot:
         moved = 0.0 if self._last is None or dt <= 0.0 else math.dist(ankle, self._last) / dt
         self._last = ankle.copy()
         lift, heel = self.raised(joints)
-        return FootSense(lift + heel, lift, moved)
+        here = (float(ankle[0]), float(ankle[1]))
+        self._place = self._place or here
+        return FootSense(lift + heel, lift, moved, math.dist(here, self._place))
 
     def raised(self, joints: Floats) -> tuple[float, float]:
         """How far the whole foot is over its rest, and how much farther its ankle is: the heel, metres."""
@@ -71,12 +81,13 @@ class RestingFoot:
         return lift, ankle - lift
 
     def decide(self, sense: FootSense, dt: float, *, up_m: float, down_m: float, speed_m_s: float) -> None:
-        """Lifts above `up_m`, or sooner where it is fast; is down again below `down_m` once it is slow."""
+        """Lifts above `up_m`, or sooner where it is fast, or where it is fast and gone; is down again below `down_m` once it is slow."""
         fast = sense.speed_m_s > speed_m_s
         if self.down:
-            self.down = not (sense.lift_m > up_m or (fast and sense.lift_m > down_m))
-        else:
-            self.down = sense.lift_m < down_m and not fast
+            self.down = not (sense.lift_m > up_m or (fast and (sense.lift_m > down_m or sense.away_m > GONE_M)))
+        elif sense.lift_m < down_m and not fast:
+            self.down = True
+            self._place = None
         resting = not self.down and sense.lift_m < 2.0 * up_m and sense.speed_m_s < STILL_M_S
         self._still_s = self._still_s + dt if resting else 0.0
         if self._still_s > FORGOTTEN_S:
@@ -84,7 +95,10 @@ class RestingFoot:
             self._rest = [height + sense.lift_m for height in self._rest]
 
     def settle(self, joints: Floats, share: float) -> None:
-        """A standing foot: its rest follows its height by `share`, unless it is through the floor."""
+        """A standing foot: its place and its rest follow by `share`; the rest stays where the foot is through the floor."""
+        here = (float(joints[self._ankle, 0]), float(joints[self._ankle, 1]))
+        x, y = self._place or here
+        self._place = (x + share * (here[0] - x), y + share * (here[1] - y))
         heights = (float(joints[self._ankle, 2]), float(joints[self._toes, 2]))
         if abs(heights[0] - self._rest[0]) < SUNK_M:
             self._rest = [rest + share * (height - rest) for rest, height in zip(self._rest, heights, strict=True)]

@@ -26,6 +26,9 @@ UPRIGHT_RAD = 0.35
 STRAIGHT_RAD = 0.45
 """Lengths are learnt while trunk and knees are straighter than this."""
 
+STOOP_M = 0.08
+"""Only a player whose shoulder centre is this much lower than in standing can have bowed."""
+
 HIDDEN_SHARE = 0.12
 """Where both legs have lost this share of their height on straight knees, the sensor does not see them."""
 
@@ -39,11 +42,16 @@ class Leg:
 
 
 class LegLengths:
-    """Learns thigh and shin of both legs from upright frames and measures every frame against them."""
+    """Learns thigh and shin of both legs from upright frames and measures every frame against them.
+
+    stoop_m: how much lower than in standing the shoulder centre is in the last frame.
+    """
 
     def __init__(self) -> None:
         self._length: list[list[float]] = []
         self._learnt_s = 0.0
+        self._neck_m = math.nan
+        self.stoop_m = 0.0
 
     @property
     def leg_m(self) -> float:
@@ -53,22 +61,26 @@ class LegLengths:
     def observe(self, joints: Floats, dt: float, *, standing: bool) -> tuple[Leg, Leg]:
         """Left and right leg of joints (20, 3), world frame; `standing`: both feet are on the floor, so that lengths may be learnt."""
         bones = [_bones(joints, side) for side in (0, 1)]
+        neck = float(joints[Joint.SHOULDER_CENTER, 2])
         if not self._length:
             self._length = [[thigh[0], shin[0]] for thigh, shin, _ in bones]
+            self._neck_m = neck
         bends = [bend for _, _, bend in bones]
         if standing and max(bends) < STRAIGHT_RAD and _lean(joints) < UPRIGHT_RAD:
             # a plain mean at first, then ever slower
             self._learnt_s = min(self._learnt_s + dt, LENGTH_TIME_S)
             share = min(1.0, dt / self._learnt_s) if self._learnt_s > 0.0 else 0.0
+            self._neck_m += share * (neck - self._neck_m)
             for side, (thigh, shin, _) in enumerate(bones):
                 self._length[side][0] += share * (thigh[0] - self._length[side][0])
                 self._length[side][1] += share * (shin[0] - self._length[side][1])
+        self.stoop_m = max(0.0, self._neck_m - neck)
         left, right = (self._leg(side, bones[side]) for side in (0, 1))
         return left, right
 
     def hidden(self, legs: tuple[Leg, Leg]) -> bool:
         """Whether both legs are so short, on straight knees, that they cannot have been seen."""
-        return all(leg.rise_m > HIDDEN_SHARE * self.leg_m and leg.bend_rad < 2.0 * STRAIGHT_RAD for leg in legs)
+        return self.stoop_m > STOOP_M and all(leg.rise_m > HIDDEN_SHARE * self.leg_m and leg.bend_rad < 2.0 * STRAIGHT_RAD for leg in legs)
 
     def _leg(self, side: int, bones: tuple[tuple[float, float], tuple[float, float], float]) -> Leg:
         (thigh, thigh_up), (shin, shin_up), bend = bones

@@ -5,12 +5,18 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.intake.gate_legs import HIPS, STRAIGHT_RAD, Leg
+from game.intake.gate_legs import HIPS, Leg
 from kinect.body import Joint
 
 Floats = NDArray[np.float64]
 
-STRETCH_SHARE = 0.02
+BENT_RAD = 0.5
+"""A knee straighter than this hides a bow, one bent twice as much is a crouch."""
+
+STOOP_M = 0.1
+"""A shoulder centre this much lower than in standing begins a bow, one twice as low is one."""
+
+STRETCH_SHARE = 0.03
 """Legs may seem this much too long before the pelvis is lowered."""
 
 SETTLING_S = 0.08
@@ -20,8 +26,8 @@ _PELVIS = [Joint.HIP_CENTER, Joint.SPINE, *HIPS]
 _UPPER = [j for j in Joint if j < Joint.HIP_LEFT] + [Joint.HIP_LEFT, Joint.HIP_RIGHT]
 
 
-def needed_rise(leg: Leg, ankle_rise_m: float, leg_m: float, slack_share: float) -> float:
-    """How far the hip over a planted foot should go up (negative: down), metres.
+def needed_rise(leg: Leg, ankle_rise_m: float, leg_m: float, stoop_m: float, slack_share: float) -> float:
+    """How far the hip over a planted foot should go up (negative: down), metres; stoop_m: how low the shoulders have come.
 
     A shortage within the slack is noise; a bent knee is believed, since a crouch shortens the sight of a thigh too.
     """
@@ -29,8 +35,8 @@ def needed_rise(leg: Leg, ankle_rise_m: float, leg_m: float, slack_share: float)
     if rise < 0.0:
         return min(0.0, rise + STRETCH_SHARE * leg_m)
     short = _step((rise / leg_m - slack_share) / max(slack_share, 1e-3))
-    straight = 1.0 - _step((leg.bend_rad - STRAIGHT_RAD) / STRAIGHT_RAD)
-    return short * straight * rise
+    straight = 1.0 - _step(leg.bend_rad / BENT_RAD - 1.0)
+    return short * straight * _step(stoop_m / STOOP_M - 1.0) * rise
 
 
 def _step(x: float) -> float:
@@ -45,8 +51,9 @@ class PelvisHeight:
     def __init__(self) -> None:
         self.rise_m = 0.0
 
-    def apply(self, joints: Floats, dt: float, needed_m: float) -> None:
-        """Moves joints (20, 3) in place."""
+    def apply(self, joints: Floats, dt: float, needed_m: float, most_m: float) -> None:
+        """Moves joints (20, 3) in place towards `needed_m`, never up by more than `most_m`, where the legs are stretched."""
         self.rise_m += (1.0 - math.exp(-dt / SETTLING_S)) * (needed_m - self.rise_m)
+        self.rise_m = min(self.rise_m, max(0.0, most_m))
         if self.rise_m != 0.0:
             joints[_PELVIS if self.rise_m > 0.0 else _UPPER, 2] += self.rise_m
