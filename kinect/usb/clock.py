@@ -24,5 +24,5 @@ class WallClock:
         return time.monotonic()
 
     def sleep(self, seconds: float) -> None:
-        """Wait."""
-        time.sleep(seconds)
+        """Wait so long; not at all for a negative time."""
+        time.sleep(max(seconds, 0.0))

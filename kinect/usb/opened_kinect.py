@@ -59,6 +59,11 @@ class OpenedKinect:
             self.motor = Motor(found.motor) if found.motor is not None else None
 
     @property
+    def sends_depth(self) -> str:
+        """What to say while all is well."""
+        return f"{self.found.model.value} on {self.found.place} sends depth."
+
+    @property
     def unplugged(self) -> bool:
         """Whether a transfer came back saying that the device is gone."""
         return any(reader.unplugged for reader, _ in self._readers)

@@ -2,6 +2,7 @@
 
 import atexit
 import contextlib
+import logging
 import queue
 import threading
 from collections import deque
@@ -111,7 +112,10 @@ class KinectSensor:
                 self._search(wait_s)
             else:
                 self._listen(self._opened, wait_s)
-        except Exception as error:
+        except TROUBLE as error:
+            self._fail(explained(error, "the Kinect"))
+        except Exception as error:  # a mistake of ours must not end the thread, but must be found
+            logging.getLogger(__name__).exception("The Kinect's driver made a mistake and starts anew")
             self._fail(explained(error, "the Kinect"))
 
     def _run(self) -> None:
@@ -163,27 +167,22 @@ class KinectSensor:
             self._frames.append(self._depth_frame(arrival))
             if self.state is not SensorState.STREAMING:
                 self.state, self._seen_before = SensorState.STREAMING, True
-                self._say(None, self._sends_depth(opened))
-        for arrival in opened.video:
+                self._say(None, opened.sends_depth)
+        arrivals, opened.video[:] = opened.video[:], []
+        for arrival in arrivals:
             frame = arrival.frame
             self._video.append(RawVideoFrame(frame.data, frame.ticks, arrival.host_s, frame.received, frame.expected))
-        opened.video.clear()
 
     def _depth_frame(self, arrival: Arrival) -> RawDepthFrame:
-        frame = arrival.frame
-        disparity = unpack11(frame.data).reshape(480, 640)
-        time_s = self._capture.seconds(frame.ticks, arrival.host_s)
-        return RawDepthFrame(disparity, frame.ticks, time_s, frame.received, frame.expected)
+        frame, time_s = arrival.frame, self._capture.seconds(arrival.frame.ticks, arrival.host_s)
+        return RawDepthFrame(unpack11(frame.data).reshape(480, 640), frame.ticks, time_s, frame.received, frame.expected)
 
     def _judge_losses(self, opened: OpenedKinect, now: float) -> None:
         sentence = self._losses.look(self.counters(), now)
         if sentence:
             self._say(Fault.LOSSY, sentence)
         elif sentence == "" and self.fault is Fault.LOSSY:
-            self._say(None, self._sends_depth(opened))
-
-    def _sends_depth(self, opened: OpenedKinect) -> str:
-        return f"{opened.found.model.value} on {opened.found.place} sends depth."
+            self._say(None, opened.sends_depth)
 
     def _still_there(self, opened: OpenedKinect, now: float) -> bool:
         """Some systems let a stream fall silent instead of saying that its device is gone."""

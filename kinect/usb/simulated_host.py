@@ -2,6 +2,7 @@
 
 import itertools
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
@@ -19,7 +20,7 @@ from kinect.usb.simulated_stream import MICROFRAMES_PER_S
 COMPLETED, FAILED, CANCELLED, NO_DEVICE = 0, 1, 3, 5
 RESTART_S: Final = 0.0005
 """What an idle endpoint needs before it listens again."""
-SLICE_S: Final = 0.002
+SLICE_S: Final = 0.01
 
 
 @dataclass
@@ -45,6 +46,7 @@ class SimulatedHost:
         self.submissions: dict[int, Submission] = {}
         self.lock = threading.RLock()
         self.finished = 0
+        self.own_cpu_s = self.called_back_s = 0.0  # CPU time of this simulation's own events, and of the program's callbacks
         self._schedule: list[tuple[float, int, Callable[[], Any]]] = []
         self._tails: dict[tuple[int, int], int] = {}
         self._order = itertools.count()
@@ -104,6 +106,11 @@ class SimulatedHost:
 
     def handle_events(self, timeout_s: float) -> None:
         """As libusb does: call back for what is done, or wait for the next, at most so long."""
+        began = time.thread_time() - self.called_back_s
+        self._handle_events(timeout_s)
+        self.own_cpu_s += time.thread_time() - self.called_back_s - began
+
+    def _handle_events(self, timeout_s: float) -> None:
         deadline = self.clock.now() + timeout_s
         before = self.finished
         while True:
@@ -113,7 +120,7 @@ class SimulatedHost:
                 upcoming = min([s.due for s in self.submissions.values()] + [t for t, _, _ in self._schedule[:1]], default=deadline)
             if self.finished != before or now >= deadline:
                 return
-            wait = min(upcoming, deadline) - now
+            wait = max(min(upcoming, deadline) - now, 0.0)
             self.clock.sleep(wait if isinstance(self.clock, VirtualClock) else min(wait, SLICE_S))
 
     def dispatch(self) -> None:
@@ -149,6 +156,8 @@ class SimulatedHost:
                 statuses[hit] = FAILED
                 lengths[hit] = 0
         self.finished += 1
+        began = time.thread_time()
         submission.finish(submission.status, lengths, statuses)
+        self.called_back_s += time.thread_time() - began
         if self.callback_s:
             self.clock.sleep(self.callback_s)

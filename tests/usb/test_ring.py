@@ -19,7 +19,7 @@ from kinect.usb.discovery import find_kinects
 from kinect.usb.errors import Fault, KinectError
 from kinect.usb.iso_read_threads import IsoReadThreads, _lengths
 from kinect.usb.packet import DEPTH_11
-from kinect.usb.pyusb_names import LIBRARY_NAMES, MODULE_NAMES, NamesMissing, inside
+from kinect.usb.pyusb_names import LIBRARY_NAMES, MODULE_NAMES, NamesMissing, PyusbInside, inside
 from kinect.usb.ring import IsoRing, RingSize
 from kinect.usb.sensor import KinectSensor
 from kinect.usb.sensor_options import SensorOptions
@@ -54,16 +54,35 @@ def test_the_names_inside_pyusb_are_there() -> None:
     assert not missing and hasattr(backend, "ctx")
 
 
+def test_the_real_librarys_transfers_are_laid_out_as_the_ring_reads_them() -> None:
+    module: Any = usb.backend.libusb1
+    backend = module.get_backend()
+    if backend is None:
+        pytest.skip("no libusb on this machine to ask")
+    ring = IsoRing.__new__(IsoRing)
+    ring.size, ring._endpoint = RingSize(1, 64), DEPTH_ENDPOINT
+    ring._callback = module._libusb_transfer_cb_fn_p(lambda transfer: None)
+    ring._inside = PyusbInside(backend.lib, backend.ctx, None, module)
+    slot = ring._make(1920)
+    assert slot.data.shape == (64, 1920) and (slot.descriptors["length"] == 1920).all()
+    slot.descriptors["actual"] = np.arange(64)
+    transfer = slot.transfer.contents
+    assert [d.actual_length for d in module._get_iso_packet_list(transfer)] == list(range(64))
+    assert (transfer.type, transfer.num_iso_packets, transfer.length, transfer.buffer) == (1, 64, 64 * 1920, slot.data.ctypes.data)
+    backend.lib.libusb_free_transfer(slot.transfer)
+
+
 def test_a_pyusb_without_those_names_is_told_which_it_lacks() -> None:
     stranger = SimpleNamespace(backend=SimpleNamespace(), _ctx=None)
     with pytest.raises(NamesMissing, match=r"backend\.lib, backend\.ctx, Device\._ctx\.managed_open"):
         inside(stranger)
 
 
-def test_every_frame_of_a_minute_arrives_under_holds_of_90_ms_twice_a_second() -> None:
+@pytest.mark.parametrize(("seconds", "offered"), [(8.0, 236), pytest.param(60.0, 1796, marks=pytest.mark.slow)])
+def test_every_frame_arrives_under_holds_of_90_ms_twice_a_second(seconds: float, offered: int) -> None:
     b = bench(hold_s=0.090, callback_s=CALLBACK_S)
-    b.run(60.0)
-    assert len(b.frames) == frames_sent(b) >= 1795
+    b.run(seconds)
+    assert len(b.frames) == frames_sent(b) >= offered
     for k, frame in enumerate(b.frames):
         np.testing.assert_array_equal(frame.disparity, PICTURES[k % len(PICTURES)])
     steps = np.diff([frame.time_s for frame in b.frames])

@@ -184,3 +184,14 @@ def test_a_motor_that_fails_does_not_stop_the_depth() -> None:
     b.run(2.0)
     assert b.sensor.fault is None and len(b.frames) > shown + 50
     b.sensor.close()
+
+
+def test_a_mistake_of_the_drivers_own_is_logged_and_not_the_end(monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
+    b = bench()
+    b.run(0.5)
+    monkeypatch.setattr("kinect.usb.sensor.unpack11", lambda data: 1 / 0)
+    b.run(0.1)
+    assert "made a mistake" in caplog.text and b.sensor.state is not SensorState.STREAMING
+    monkeypatch.undo()
+    assert b.run(2.0, until=lambda: b.sensor.state is SensorState.STREAMING)
+    b.sensor.close()

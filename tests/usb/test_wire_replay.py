@@ -1,5 +1,7 @@
 """Recordings sent once more over the wire: the same octets come out, at the recorded times."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -47,9 +49,9 @@ def test_a_depth_clip_comes_back_within_two_millimetres(name: str) -> None:
     with np.load(path) as clip:
         depth_mm = clip["depth_mm"][:60].astype(float)
     seen = depth_mm > 0
-    raw = np.full(depth_mm.shape, 2047, np.uint16)
+    raw: Any = np.full(depth_mm.shape, 2047, np.uint16)
     raw[seen] = np.round(1088.93 - 345_490.0 / depth_mm[seen]).astype(np.uint16)
-    replay = WireReplay(list(raw))
+    replay = WireReplay([*raw])
     frames = replay.poll(replay.length_s)
     assert len(frames) == len(raw)
     with np.errstate(divide="ignore"):
