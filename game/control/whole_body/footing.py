@@ -12,8 +12,11 @@ from game.control.whole_body.support_polygon import convex_hull, distance_inside
 
 Floats = NDArray[np.float64]
 
-LIFT_MARGIN_M = 0.02
-PRESSURE_MARGIN_M = 0.012
+LIFT_MARGIN_M = 0.035
+PRESSURE_MARGIN_M = 0.01
+LOST_M = 0.03
+"""A standing foot that has come this far off the floor is brought back like one that swings."""
+
 STEP_S = 0.26
 RETURN_S = 0.4
 
@@ -89,6 +92,8 @@ class Footing:
     def _land(self, soles: tuple[Sole, Sole], wish: Wish) -> None:
         for side, foot in enumerate(self.feet):
             touches = soles[side].touches
+            if foot.stands and not touches and soles[side].centre[2] > LOST_M:
+                foot.enter(Phase.SWING)
             if foot.phase is Phase.SWING and touches and foot.time_s > 0.08 and not wish.up[side]:
                 foot.enter(Phase.STANCE)
             elif foot.phase is Phase.STEP and touches and foot.time_s > 0.6 * foot.duration_s:
@@ -118,7 +123,7 @@ class Footing:
         if side is None:
             return
         self.intended = other = 1 - side
-        if distance_inside(convex_hull(soles[other].corners(LIFT_MARGIN_M)), xi) < 0.0:
+        if not soles[other].touches or distance_inside(convex_hull(soles[other].corners(LIFT_MARGIN_M)), xi) < 0.0:
             return
         if wish.up[side]:
             self.feet[side].enter(Phase.SWING)

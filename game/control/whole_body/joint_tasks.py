@@ -9,6 +9,10 @@ from game.compiled import compiled
 Floats = NDArray[np.float64]
 
 
+LARGEST_SPIN, LARGEST_SPIN_RATE = 15.0, 120.0
+"""rad/s and rad/s^2; what turns faster than that in the target is the sensor."""
+
+
 @compiled
 def joint_accelerations(
     now: Floats, velocity: Floats, wanted: Floats, spin: Floats, spin_rate: Floats, stiffness: float, damping: float, limit: Floats
@@ -22,7 +26,9 @@ def joint_accelerations(
         error = one.log(one.multiply(one.conjugate(now[j]), wanted[j]))
         for axis in range(3):
             row = 3 * j + axis
-            value = stiffness * error[axis] + damping * (spin[j, axis] - velocity[row]) + spin_rate[j, axis]
+            rate = min(max(spin[j, axis], -LARGEST_SPIN), LARGEST_SPIN)
+            surge = min(max(spin_rate[j, axis], -LARGEST_SPIN_RATE), LARGEST_SPIN_RATE)
+            value = stiffness * error[axis] + damping * (rate - velocity[row]) + surge
             out[row] = min(max(value, -limit[row]), limit[row])
     return out
 

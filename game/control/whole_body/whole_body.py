@@ -27,6 +27,9 @@ from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
+GOAL_TIME_S = 0.04
+"""Low-pass of where the capture point should be."""
+
 _COM_WEIGHT = np.array([2000.0, 2000.0, 500.0])
 _NO_ROWS = np.zeros((0, DOF_COUNT))
 _NO_STIFFNESS = np.zeros(3 * JOINT_COUNT)
@@ -62,6 +65,7 @@ class WholeBody:
         self._player: PlayerStance | None = None
         self._last: KinematicTarget | None = None
         self._since_s = 0.0
+        self._goal: Floats | None = None
         self.com_target = dynamics.com.copy()
         self.fallen = False
         self.landing = False
@@ -105,12 +109,13 @@ class WholeBody:
         wish = self._wish(motion, body, soles)
         calm = math.hypot(*(xi - body.com[:2])) < 0.05
         self.footing.update(soles, xi, frequency, wish, calm, self._taking_off(body), dt)
-        goal = self._capture_goal(target, soles, frequency)
+        goal = self._capture_goal(frequency, dt)
         wanted = nearest_inside(self.footing.goal_hull(soles, 0.02), goal)
         self.com_target[:2] = wanted
         hull = self.footing.hull(soles, PRESSURE_MARGIN_M)
         self.xi, self.xi_wanted = xi, wanted
-        return pressure_target(xi, wanted, frequency, self._settings.number("whole_body.capture_rate"), hull, 0.03), frequency
+        self.pressure = pressure_target(xi, wanted, frequency, self._settings.number("whole_body.capture_rate"), hull, 0.03)
+        return self.pressure, frequency
 
     def _taking_off(self, body: BodyState) -> bool:
         """The COM rises on straight legs or unloaded feet: the floor has nothing more to give."""
@@ -130,16 +135,14 @@ class WholeBody:
         up = (player.up[0], player.up[1])
         return Wish(up, player.flight, place, (yaw[0], yaw[1]))
 
-    def _capture_goal(self, target: KinematicTarget, soles: tuple[Sole, Sole], frequency: float) -> Floats:
-        """(2,) the player's own capture point, carried over relative to the feet that both stand on."""
+    def _capture_goal(self, frequency: float, dt: float) -> Floats:
+        """(2,) the player's own capture point in the character's world, low-passed."""
         player = self._player
         assert player is not None
-        places = self._window.newest_places
-        sides = [self.footing.intended] if self.footing.intended is not None else [0, 1]
-        theirs = np.mean([player.place(places[1 + side]) for side in sides], axis=0)
-        ours = np.mean([soles[side].ankle for side in sides], axis=0)
-        com = player.place(places[3]) - theirs + ours
-        return com[:2] + player.direction(self._window.com_velocity())[:2] / frequency
+        seen = player.place(self._window.newest_places[3])[:2] + player.direction(self._window.com_velocity())[:2] / frequency
+        share = min(1.0, dt / GOAL_TIME_S)
+        self._goal = seen if self._goal is None else self._goal + share * (seen - self._goal)
+        return self._goal
 
     def _solve(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole], pressure: Floats, frequency: float, dt: float) -> JointCommand:
         settings = self._settings
@@ -188,7 +191,7 @@ class WholeBody:
         friction = 0.9 * min(self._settings.number("physics.friction"), 1.0)
         if self._cone_of != (friction, len(standing)):
             self._cone_of = (friction, len(standing))
-            self._cone_rows = cone_rows(len(standing), friction, sole.half_length - 0.022, sole.half_width - 0.017, 0.08)
+            self._cone_rows = cone_rows(len(standing), friction, sole.half_length - 0.015, sole.half_width - 0.01, 0.08)
         return self._cone_rows
 
     def _foot_task(self, side: int, sole: Sole, twist: Floats, motion: Motion, body: BodyState) -> tuple[Floats, Floats]:
