@@ -6,17 +6,14 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinect.usb.capture_time import DEPTH_PERIOD_TICKS
 from kinect.usb.packet import FIRST, HEADER_BYTES, LAST, MIDDLE, StreamFormat
 
 Octets = NDArray[np.uint8]
 
 LONGEST_GAP: Final = 5
-"""Packets that may be missing in a row before the place in the frame is held to be lost."""
-LONGEST_SPAN_TICKS: Final = DEPTH_PERIOD_TICKS * 3 // 2
-"""From the first to the last packet of one frame; more means that pieces of two frames were about to be joined."""
-DISTRUST: Final = 10
-"""So many frames in a row that fail the span test, and it is the stamps that are wrong: then the test is dropped."""
+"""Packets that may be missing in a row before the place in the frame is held to be lost.
+
+256 packets lost at once look like none, but 256 is no multiple of a frame's 242: the place is then wrong, and the flags tell."""
 _HEADER: Final = np.dtype({"names": ["magic", "flag", "sequence", "ticks"], "formats": ["<u2", "u1", "u1", "<u4"], "offsets": [0, 3, 5, 8]})
 _MAGIC: Final = int.from_bytes(b"RB", "little")
 
@@ -50,8 +47,7 @@ class Assembler:
         self._n = -1  # the next packet's place in the frame; -1 while out of step
         self._sequence = 0  # the next packet's sequence number
         self._received = 0
-        self._first_ticks = self._last_ticks = 0
-        self._distrusted = 0
+        self._last_ticks = 0
         self._previous = np.empty(0, np.uint8)
 
     def take(self, slots: Octets, lengths: NDArray[np.uint32], statuses: NDArray[np.int32]) -> list[AssembledFrame]:
@@ -69,7 +65,7 @@ class Assembler:
         while at < len(used):
             run = self._regular(flags[at:], sequences[at:], sizes[at:]) if self._n >= 0 else 0
             if run:
-                self._copy(slots, used[at : at + run], int(ticks[at]), int(ticks[at + run - 1]))
+                self._copy(slots, used[at : at + run], int(ticks[at + run - 1]))
                 at += run
             else:
                 if at:
@@ -96,17 +92,17 @@ class Assembler:
         wrong = np.flatnonzero(~(follows & (flags[:k] == self._places[here]) & (sizes[:k] == self._lengths[here])))
         return int(wrong[0]) if len(wrong) else k
 
-    def _copy(self, slots: Octets, which: NDArray[np.intp], first_ticks: int, last_ticks: int) -> None:
+    def _copy(self, slots: Octets, which: NDArray[np.intp], ticks: int) -> None:
         """Put packets that simply follow into their places."""
         k = len(which)
         if self._n == 0:
-            self._begin(first_ticks)
+            self._begin(ticks)
         if which[-1] - which[0] == k - 1:
             which = slice(which[0], which[-1] + 1)  # type: ignore[assignment]  # a view instead of a copy
         self._rows[self._n : self._n + k] = slots[which, HEADER_BYTES : HEADER_BYTES + self.layout.payload_bytes]
         self._received += k
         self._sequence = (self._sequence + k) & 0xFF
-        self._last_ticks = last_ticks
+        self._last_ticks = ticks
         self._n += k
         if self._n == self.layout.packets:
             self._close()
@@ -167,17 +163,11 @@ class Assembler:
         """An empty frame: all ones, so that what is missing reads as no data."""
         self._rows = np.full((self.layout.packets, self.layout.payload_bytes), 0xFF, np.uint8)
         self._received = 0
-        self._first_ticks = self._last_ticks = ticks
+        self._last_ticks = ticks
 
     def _close(self) -> None:
-        """Hand the frame on, unless it spans more time than one frame can."""
+        """Hand the frame on."""
         self._n = 0
-        if (self._last_ticks - self._first_ticks) % (1 << 32) > LONGEST_SPAN_TICKS and self._distrusted < DISTRUST:
-            self._distrusted += 1
-            self._tally.frames_abandoned += 1
-            return
-        if self._distrusted < DISTRUST:
-            self._distrusted = 0
         expected = self.layout.packets
         if self._received == expected:
             self._tally.frames_complete += 1
