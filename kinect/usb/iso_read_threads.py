@@ -1,6 +1,7 @@
 """The fall-back where pyusb's inside has changed: several threads, each waiting in pyusb's public, synchronous isochronous read.
 
 It keeps the endpoint busy like the ring, but learns neither statuses nor lengths, and cannot be cancelled: a stop waits up to one read.
+pyusb 1.3.1 never frees the transfer of a synchronous read (3 kB each here, 30 a second): good for an evening, not for a museum.
 """
 
 import array
