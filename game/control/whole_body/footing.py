@@ -17,6 +17,9 @@ PRESSURE_MARGIN_M = 0.01
 LOST_M = 0.03
 """A standing foot that has come this far off the floor is brought back like one that swings."""
 
+NEAR_FLOOR_M = 0.08
+"""A foot on its way down counts for the balance from here on."""
+
 STEP_S = 0.26
 RETURN_S = 0.4
 
@@ -94,9 +97,9 @@ class Footing:
             touches = soles[side].touches
             if foot.stands and not touches and soles[side].centre[2] > LOST_M:
                 foot.enter(Phase.SWING)
-            if foot.phase is Phase.SWING and touches and foot.time_s > 0.08 and not wish.up[side]:
-                foot.enter(Phase.STANCE)
-            elif foot.phase is Phase.STEP and touches and foot.time_s > 0.6 * foot.duration_s:
+            landed = foot.phase is Phase.SWING and foot.time_s > 0.08 and not wish.up[side]
+            landed = landed or (foot.phase is Phase.STEP and foot.time_s > 0.6 * foot.duration_s)
+            if landed and touches:
                 foot.enter(Phase.STANCE)
 
     def _fly(self, soles: tuple[Sole, Sole], wish: Wish, taking_off: bool, dt: float) -> bool:
@@ -150,7 +153,8 @@ class Footing:
         standing = [side for side in range(2) if self.feet[side].stands]
         if not standing:
             return
-        hull = self.hull(soles, 0.0)
+        coming = [s for s in range(2) if self.feet[s].phase is Phase.SWING and not wish.up[s] and soles[s].centre[2] < NEAR_FLOOR_M]
+        hull = convex_hull(np.concatenate([soles[side].corners(0.0) for side in standing + coming]))
         outside = -distance_inside(hull, xi)
         pivot = nearest_inside(hull, xi)
         ahead = -distance_inside(hull, predicted(xi, pivot, frequency, 0.1))

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from game import rotation_compiled as one
 from game.characters.skeleton import DOF_COUNT, FEET, JOINT_COUNT
+from game.control.ankle_strategy import AnkleStrategy
 from game.control.gains import gains
 from game.control.joint_command import BodyState, JointCommand
 from game.control.whole_body.capture_point import capture_point, natural_frequency, pressure_target
@@ -57,10 +58,12 @@ class WholeBody:
         self.cos = np.zeros(3)
         self.com_target = np.zeros(3)
         self.left_share = 0.5
+        self._hanging = AnkleStrategy(settings)
         self._cone_of, self._cone_rows = (0.0, 0), _NO_ROWS
 
     def reset(self, dynamics: BodyState) -> None:
         self.footing = Footing()
+        self._hanging.reset(dynamics)
         self._window = MotionWindow()
         self._player: PlayerStance | None = None
         self._last: KinematicTarget | None = None
@@ -77,10 +80,10 @@ class WholeBody:
         motion = self._window.moment(self._window.newest_s + self._since_s - delay)
         soles = (_sole(dynamics, 0), _sole(dynamics, 1))
         if dynamics.held:
-            return self._posed(target, dynamics, 1.0)
+            return self._hanging.command(target, dynamics, dt)
         if dynamics.com[2] < 0.5 or self.fallen:
             self.fallen = True
-            return self._posed(target, dynamics, 0.125)
+            return self._limp(target, dynamics)
         pressure, frequency = self._plan(target, motion, dynamics, soles, dt)
         return self._solve(motion, dynamics, soles, pressure, frequency, dt)
 
@@ -240,9 +243,9 @@ class WholeBody:
         wanted = 100.0 * (height - body.com[2]) + 20.0 * (motion.velocity[3, 2] - body.com_velocity[2]) + motion.acceleration[3, 2]
         return min(max(wanted, -5.0), 14.0)
 
-    def _posed(self, target: KinematicTarget, body: BodyState, share: float) -> JointCommand:
-        """The target's pose without balance: in the hang, and lying on the floor with little strength."""
-        kp, kd = gains(body, share * self._settings.number("pd.kp_hat"), "dynamic")
+    def _limp(self, target: KinematicTarget, body: BodyState) -> JointCommand:
+        """On the floor: the target's pose with little strength."""
+        kp, kd = gains(body, 0.125 * self._settings.number("pd.kp_hat"), "dynamic")
         return JointCommand(target.joint_rotation, np.zeros(3 * JOINT_COUNT), kp, kd, np.zeros(3 * JOINT_COUNT))
 
 
