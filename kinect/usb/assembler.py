@@ -14,6 +14,8 @@ LONGEST_GAP: Final = 5
 """Packets that may be missing in a row before the place in the frame is held to be lost.
 
 256 packets lost at once look like none, but 256 is no multiple of a frame's 242: the place is then wrong, and the flags tell."""
+FARTHEST_GAP: Final = 240
+"""Beyond it a sequence number is held for one from the past, which tells of no loss."""
 _HEADER: Final = np.dtype({"names": ["magic", "flag", "sequence", "ticks"], "formats": ["<u2", "u1", "u1", "<u4"], "offsets": [0, 3, 5, 8]})
 _MAGIC: Final = int.from_bytes(b"RB", "little")
 
@@ -119,6 +121,7 @@ class Assembler:
             return
         if gap:
             if gap > LONGEST_GAP:
+                self._tally.lost_packets += gap if gap < FARTHEST_GAP else 0
                 return self._lose_step(slot, flag, sequence, ticks, size)
             self._skip(gap, ticks)
         if flag != self._places[self._n]:

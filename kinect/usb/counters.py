@@ -11,7 +11,7 @@ class Counters:
     packets: int = 0  # with data and a sound header
     empty_packets: int = 0  # slots in which the device had nothing to say
     bad_packets: int = 0  # with an error status, without a header, or of a wrong length
-    lost_packets: int = 0  # seen as gaps in the sequence numbers
+    lost_packets: int = 0  # seen as gaps in the sequence numbers; of more than 255 in a row only the rest is seen
     repeated_packets: int = 0
     resyncs: int = 0  # times the place in the frame was lost
     frames_complete: int = 0

@@ -66,7 +66,7 @@ def test_up_to_five_missing_in_a_row_are_holes_without_data(missing: list[int]) 
 def test_six_missing_in_a_row_give_the_frame_up_and_the_next_one_is_whole() -> None:
     frames, counted = without([300, 301, 302, 303, 304, 305])
     assert [frame_number(f.data, 0) for f in frames] == [0, 2]
-    assert counted.frames_abandoned == 1 and counted.resyncs == 1
+    assert counted.frames_abandoned == 1 and counted.resyncs == 1 and counted.lost_packets == 6
 
 
 @pytest.mark.parametrize(
