@@ -78,7 +78,7 @@ class IsoReadThreads:
             slots = self._waiting.pop(self._next)
             self._next += 1
             if slots is not None:
-                self._consume(slots, _lengths(slots), np.zeros(len(slots), np.int32))
+                self._consume(slots, slot_lengths(slots), np.zeros(len(slots), np.int32))
 
     def stop(self) -> None:
         """Let every thread finish its read."""
@@ -105,7 +105,7 @@ class IsoReadThreads:
             self._arrived.put((turn, slots))
 
 
-def _lengths(slots: NDArray[np.uint8]) -> NDArray[np.uint32]:
+def slot_lengths(slots: NDArray[np.uint8]) -> NDArray[np.uint32]:
     """What a synchronous read does not tell: a slot without a packet's magic is empty, and a packet's header tells its length."""
     lengths = slots[:, 6].astype(np.uint32) << 8 | slots[:, 7]
     full = (slots[:, :2] == _MAGIC).all(axis=1)

@@ -17,11 +17,16 @@ def load_backend() -> Any:
     finally:
         log.disabled = was
     if backend is None:
-        raise KinectError(
-            Fault.NO_LIBUSB,
-            "There is no libusb on this machine: `pip install libusb-package`, or install libusb-1.0-0 from your system's packages.",
-        )
+        raise no_libusb()
     return backend
+
+
+def no_libusb() -> KinectError:
+    """What to do where no libusb can be loaded."""
+    return KinectError(
+        Fault.NO_LIBUSB,
+        "There is no libusb on this machine: `pip install libusb-package`, or install libusb-1.0-0 from your system's packages.",
+    )
 
 
 def _wheels_backend() -> Any:

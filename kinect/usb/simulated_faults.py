@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from kinect.usb.clock import Clock, WallClock
-from kinect.usb.errors import Fault, KinectError
+from kinect.usb.libusb import no_libusb
 from kinect.usb.models import Model
 from kinect.usb.simulated_host import SimulatedHost
 from kinect.usb.simulated_kinect import OtherDevice, SimulatedKinect
@@ -25,10 +25,7 @@ class Simulation:
 
 
 def _no_libusb() -> Any:
-    raise KinectError(
-        Fault.NO_LIBUSB,
-        "There is no libusb on this machine: `pip install libusb-package`, or install libusb-1.0-0 from your system's packages.",
-    )
+    raise no_libusb()
 
 
 def _camera(**faults: int) -> Callable[[Simulation], None]:

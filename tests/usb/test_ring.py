@@ -17,7 +17,7 @@ from kinect.usb.command import CameraCommands
 from kinect.usb.counters import new_tally
 from kinect.usb.discovery import find_kinects
 from kinect.usb.errors import Fault, KinectError
-from kinect.usb.iso_read_threads import IsoReadThreads, _lengths
+from kinect.usb.iso_read_threads import IsoReadThreads, slot_lengths
 from kinect.usb.packet import DEPTH_11
 from kinect.usb.pyusb_names import LIBRARY_NAMES, MODULE_NAMES, NamesMissing, PyusbInside, inside
 from kinect.usb.ring import IsoRing, RingSize
@@ -130,7 +130,7 @@ def test_reading_in_a_loop_yields_almost_no_whole_frame() -> None:
         buffer[:] = array.array("B", bytes(len(buffer)))
         camera.read(DEPTH_ENDPOINT, buffer, 1000)
         slots = np.frombuffer(buffer, np.uint8).reshape(64, 1920).copy()
-        assembler.take(slots, _lengths(slots), np.zeros(64, np.int32))
+        assembler.take(slots, slot_lengths(slots), np.zeros(64, np.int32))
     assert tally.packets > 50_000, "the control itself does not read"
     assert tally.frames_complete <= 10
     let_go(camera)
