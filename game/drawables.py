@@ -68,6 +68,27 @@ class Points:
 
 
 @dataclass(frozen=True)
+class DepthPoints:
+    """A depth picture as points in the room, unpacked where they are drawn.
+
+    codes (H, W) uint16: one a pixel; metres (C,) float32: distance along the camera's axis of each code below C, 0 where nothing was seen.
+    focal_px, centre_px (u, v): of the picture. A pixel at distance z lies at camera ((cu - u) z / f, (cv - v) z / f, z), and in the
+    world at turn (3, 3) @ camera + shift (3,). colour: linear RGB of what is near the camera. diameter_m of a point; farther than
+    reach_m nothing is drawn. A drawable with the same codes array as the last is not sent to the graphics card again.
+    """
+
+    codes: NDArray[np.uint16]
+    metres: NDArray[np.float32]
+    focal_px: float
+    centre_px: tuple[float, float]
+    turn: Floats
+    shift: Floats
+    colour: tuple[float, float, float] = (1.0, 0.5, 0.15)
+    diameter_m: float = 0.008
+    reach_m: float = 10.0
+
+
+@dataclass(frozen=True)
 class Label:
     """A word at a place in the world (3,) m; the overlay writes it."""
 
@@ -76,7 +97,7 @@ class Label:
     colour: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
 
 
-Drawable = Boxes | Capsules | Lines | Points | Label
+Drawable = Boxes | Capsules | Lines | Points | DepthPoints | Label
 
 
 @dataclass(frozen=True)

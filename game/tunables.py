@@ -153,6 +153,8 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("layer.balance", False, "support polygon, COM, COS and COM target on the floor"),
         Tunable("layer.contact", False, "contact forces as arrows"),
         Tunable("layer.torque", False, "joint torque as colour on the character"),
+        Tunable("layer.points", True, "what a depth camera sees, as points beside the character; only where the input has one"),
+        Tunable("layer.depth_picture", True, "what a depth camera sees, as a picture in the corner; only where the input has one"),
     ]
 )
 # fmt: on

@@ -42,6 +42,7 @@ def view_of_scene(app: App) -> View:
         scenes=app.options.scenes,
         inputs=app.options.inputs,
         input_spec=actions.input_spec,
+        depth_picture=getattr(scene, "depth_picture", None),
     )
 
 

@@ -52,7 +52,7 @@ class Casting:
 
     def default_scene(self) -> str:
         """`mirror` for a recording or a performer, else `duel`."""
-        return "mirror" if self.spec.startswith(("clip:", "performer:")) else "duel"
+        return "mirror" if self.spec.startswith(("clip:", "performer:", "kinect")) else "duel"
 
     def scene(self, name: str) -> PlayableScene:
         """The scene, not yet entered; entering raises NoBodyError where the input shows nobody."""

@@ -78,9 +78,37 @@ def _script(_argument: str, seed: int) -> BodySource:
 
 
 def _auto(_argument: str, _seed: int) -> BodySource:
+    from game.inputs.attached import greeting
     from game.inputs.puppet import Puppet
 
-    return Puppet(greeting="No tracked Kinect yet, so keys and gamepad steer a puppet.")
+    return Puppet(greeting=greeting())
+
+
+def _replay(argument: str, _seed: int) -> BodySource:
+    from game.inputs.kinect_replay import replay
+
+    return _depth(lambda: replay(argument))
+
+
+def _wire(argument: str, _seed: int) -> BodySource:
+    from game.inputs.kinect_replay import replay_through_driver
+
+    return _depth(lambda: replay_through_driver(argument))
+
+
+def _kinect(_argument: str, _seed: int) -> BodySource:
+    from game.inputs.kinect_replay import attached_kinect
+
+    return attached_kinect()
+
+
+def _depth(opens: Callable[[], BodySource]) -> BodySource:
+    from kinect.depth.recording_format import DepthRecordingError
+
+    try:
+        return opens()
+    except DepthRecordingError as fault:
+        raise InputError(str(fault)) from fault
 
 
 INPUTS: Final[Mapping[str, Input]] = {
@@ -89,4 +117,7 @@ INPUTS: Final[Mapping[str, Input]] = {
     "puppet": Input("puppet", _puppet),
     "script": Input("script", _script),
     "auto": Input("auto", _auto),
+    "kinect": Input("kinect", _kinect, synthetic=False),
+    "kinect-replay": Input("kinect-replay:PATH", _replay, synthetic=False),
+    "kinect-wire": Input("kinect-wire:PATH", _wire, synthetic=False),
 }

@@ -6,6 +6,7 @@ from game.overlay.view import Shown
 
 PANEL_EM = 24.0
 PLOTS_EM = 20.0
+DEPTH_EM = 15.0
 MARGIN_EM = 0.6
 
 
@@ -33,6 +34,14 @@ def plots_area(size: tuple[float, float], em: float) -> Area:
     """The plots: the left edge, between the input's line and the hints."""
     width, top = min(PLOTS_EM * em, 0.36 * size[0]), 3.1 * em
     return Area(MARGIN_EM * em, top, width, size[1] - top - 3.0 * em)
+
+
+def depth_area(shown: Shown, size: tuple[float, float], em: float) -> Area:
+    """The depth camera's picture: the lower left corner, above the hints and beside the plots."""
+    width = min(DEPTH_EM * em, 0.3 * size[0])
+    height = 0.75 * width + 1.0 * em
+    left = (plots_area(size, em).right if shown.plots else 0.0) + MARGIN_EM * em
+    return Area(left, size[1] - height - 3.0 * em, width, height)
 
 
 def free_span(shown: Shown, size: tuple[float, float], em: float) -> tuple[float, float]:

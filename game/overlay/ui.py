@@ -6,6 +6,7 @@ from typing import Any
 import glfw
 from imgui_bundle import ImVec2, imgui, implot
 
+from game.overlay.depth_panel import DepthPanel
 from game.overlay.hud import Hud
 from game.overlay.ink import Ink
 from game.overlay.menu import Menu, draw_help
@@ -38,6 +39,7 @@ class Overlay:
         self.hud = Hud()
         self.panel = TuningPanel(self.fonts)
         self.menu = Menu(self.fonts)
+        self.depth = DepthPanel(self.fonts)
         self._scale = 0.0
         self._ink: Ink | None = None
         self._rescale()
@@ -78,6 +80,7 @@ class Overlay:
             self._ink = Ink(self.fonts, self._scale)
         self._ink.begin()
         self.hud.draw(self._ink, view, self.shown, size)
+        self.depth.draw(view, self.shown, size)
         draw_plots(view, self.shown, self.fonts, size)
         self.panel.draw(view, self.shown, size)
         self.menu.draw(view, self.shown, size)
@@ -91,6 +94,7 @@ class Overlay:
             return
         self._closed = True
         self._make_current()
+        self.depth.close()
         imgui.backends.opengl3_shutdown()
         imgui.backends.glfw_shutdown()
         implot.destroy_context(self._plots)

@@ -3,6 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+from numpy.typing import NDArray
+
 from game.scenes.scene import Plot
 from game.tunables import Settings
 
@@ -22,6 +25,7 @@ class View:
     """One picture frame as the overlay shows it.
 
     now_s: seconds on the loop's clock since the game began; speed: simulated seconds per second;
+    depth_picture: (h, w, 4) RGBA of what a depth camera sees, always of one size, None without one;
     stage_ms: median milliseconds per stage; upright_s: None where no scene measures it; fell: the upright time has ended.
     """
 
@@ -47,6 +51,7 @@ class View:
     scenes: tuple[str, ...] = ()
     inputs: tuple[str, ...] = ()
     input_spec: str = ""
+    depth_picture: NDArray[np.uint8] | None = None
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,8 @@ QualityName = Literal["low", "medium", "high"]
 @dataclass(frozen=True)
 class Quality:
     """shadow_taps: 1 is four texels blended by the hardware; samples: of multisampling, 0 off;
-    occlusion_taps: of screen-space ambient occlusion, 0 leaves the contact shading alone."""
+    occlusion_taps: of screen-space ambient occlusion, 0 leaves the contact shading alone;
+    point_stride: every so many-th pixel and row of a depth picture becomes a point."""
 
     shadow_size: int
     shadow_taps: int
@@ -24,12 +25,13 @@ class Quality:
     round_segments: int
     material_size: int
     anisotropy: float
+    point_stride: int
 
 
 QUALITIES: Mapping[str, Quality] = {
-    "low": Quality(1024, 1, False, 0, 0, False, False, 2, 1, 2, 256, 1.0),
-    "medium": Quality(2048, 8, False, 4, 8, True, True, 3, 2, 5, 512, 4.0),
-    "high": Quality(2048, 16, True, 4, 16, True, True, 3, 3, 8, 512, 8.0),
+    "low": Quality(1024, 1, False, 0, 0, False, False, 2, 1, 2, 256, 1.0, 2),
+    "medium": Quality(2048, 8, False, 4, 8, True, True, 3, 2, 5, 512, 4.0, 1),
+    "high": Quality(2048, 16, True, 4, 16, True, True, 3, 3, 8, 512, 8.0, 1),
 }
 
 

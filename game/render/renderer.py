@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import moderngl
 import numpy as np
 
-from game.drawables import Layer
+from game.drawables import DepthPoints, Layer
 from game.render.camera import FAR_M, NEAR_M, Camera
 from game.render.contact_map import FLOOR, ContactMap
 from game.render.culling import View
@@ -19,6 +19,7 @@ from game.render.lights import find_lamps, glowing, room_lights, shadow_matrix
 from game.render.materials import paint_materials
 from game.render.matrices import Matrix
 from game.render.occlusion import OcclusionPrograms
+from game.render.point_cloud import PointCloud
 from game.render.quality import quality_named
 from game.render.see_through import Ghosts, Strokes
 from game.render.shader_source import assign
@@ -40,6 +41,7 @@ class Renderer:
         self._solids = Solids(ctx, self.quality)
         self._ghosts: Ghosts | None = None
         self._strokes: Strokes | None = None
+        self._cloud: PointCloud | None = None
         self._materials = paint_materials(ctx, self.quality.material_size, self.quality.anisotropy)
         self._shadow = ShadowMap(ctx, self.quality.shadow_size)
         self._contact = ContactMap(ctx, 0 if self.quality.gloss else self.quality.lamps)
@@ -78,6 +80,9 @@ class Renderer:
             lens = (slope * size[0] / size[1], slope, NEAR_M, FAR_M)
             targets.occlusion.draw(self._solids.batches, self._solids.depth, matrix, lens)
         self._draw_solids(matrix, camera, targets)
+        for cloud in self._clouds(layers):
+            self._cloud = self._cloud or PointCloud(self.ctx, self.quality.point_stride)
+            self._cloud.draw(cloud, matrix, camera.fov_rad(fov_deg), size[1], targets.canvas)
         if len(moving.ghosts):
             self._ghosts = self._ghosts or Ghosts(self.ctx)
             self._ghosts.draw(moving.ghosts, matrix, camera.eye, targets.canvas)
@@ -91,7 +96,17 @@ class Renderer:
 
     def release(self) -> None:
         """Give everything back to the driver."""
-        passes = (self._solids, self._ghosts, self._strokes, self._shadow, self._contact, self._occlusion, self._finish, self._targets)
+        passes = (
+            self._solids,
+            self._ghosts,
+            self._strokes,
+            self._shadow,
+            self._contact,
+            self._occlusion,
+            self._finish,
+            self._targets,
+            self._cloud,
+        )
         for held in (*passes, self._materials):
             if held is not None:
                 held.release()
@@ -109,6 +124,9 @@ class Renderer:
             self._lamps = lamps
             self._adopt_settings()
         return packed
+
+    def _clouds(self, layers: Sequence[Layer]) -> list[DepthPoints]:
+        return [item for layer in layers if self._shows(layer) for item in layer.drawables if isinstance(item, DepthPoints)]
 
     def _shows(self, layer: Layer) -> bool:
         name = f"layer.{layer.name}"

@@ -8,6 +8,7 @@ from game.characters.skeleton import FEET, JOINTS, PARENT
 from game.drawables import Boxes, Capsules, Drawable, Layer, Lines
 from game.physics.dynamics import BodyDynamics
 from game.scenes.costume import dressed, tint
+from game.scenes.depth_layer import depth_points
 from game.scenes.fighter import Fighter
 from game.scenes.simulation import Simulation
 from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
@@ -39,6 +40,7 @@ def fighter_layers(simulation: Simulation, index: int, blend: float, settings: S
     colours = torque_colours(simulation, fighter) if settings.switch("layer.torque") else None
     layers = [Layer(f"fighter{index}", dressed(fighter.plan, position, orientation, index, colours))]
     anchor = _anchor(fighter, body)
+    layers += depth_points(fighter.source, settings, fighter.mirrored, anchor)
     if settings.switch("layer.target"):
         layers.append(Layer("target", (ghost(fighter.plan, _placed(fighter.target.pose, anchor)),), opacity=0.35))
     if settings.switch("layer.input") and fighter.frame is not None:

@@ -48,7 +48,7 @@ class Fighter:
         facing_rad: float = 0.0,
     ) -> None:
         self.index, self.plan, self._settings = index, plan, settings
-        self._opens, self._mirrored = opens, mirrored
+        self._opens, self.mirrored = opens, mirrored
         self._place, self.facing_rad = np.array(place), facing_rad
         self.source = opens()
         self.intake = Intake(settings, mirrored=mirrored)
@@ -70,7 +70,7 @@ class Fighter:
         length = self.source.length_s
         finite = length is not None
         rehearsal = self._opens() if finite else self.source
-        intake = Intake(self._settings, mirrored=self._mirrored) if finite else self.intake
+        intake = Intake(self._settings, mirrored=self.mirrored) if finite else self.intake
         frames = [intake.apply(frame) for frame in rehearsal.poll(length + 1.0 if length is not None else QUIET_S)]
         seen = [frame for frame in frames if frame is not None]
         if finite:

@@ -1,6 +1,10 @@
 """What scenes with characters share: who plays in which room, and when it is over."""
 
+import numpy as np
+from numpy.typing import NDArray
+
 from game.characters.body_plan import BodyPlan
+from game.scenes.depth_layer import depth_picture
 from game.scenes.living_room import living_room
 from game.scenes.simulation import Opener, Simulation
 from game.tunables import Settings
@@ -32,6 +36,11 @@ class PlayedScene:
         """Whether the player's recording is at its end."""
         length = self.simulation.fighters[0].source.length_s
         return length is not None and self.time_s >= length
+
+    @property
+    def depth_picture(self) -> NDArray[np.uint8] | None:
+        """(h, w, 4) RGBA of what the player's depth camera sees; None where the input has none, or nobody wants to see it."""
+        return depth_picture(self.simulation.fighters[0].source, self._settings)
 
     def leave(self) -> None:
         """Release the inputs. Calling it twice is harmless."""

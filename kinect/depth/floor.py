@@ -26,10 +26,14 @@ SENSOR_UP: Final = np.array([0.0, 1.0, 0.0])
 
 @dataclass(frozen=True)
 class FloorFinding:
-    """floor: the plane in the sensor frame, or None; why: in words, what was found or why nothing counts as a floor."""
+    """floor: the plane in the sensor frame, or None; why: in words, what was found or why nothing counts as a floor.
+
+    hint: where there is no floor, a level plane of which too little is seen to count as one; fit to draw by, no more.
+    """
 
     floor: Floor | None
     why: str
+    hint: Floor | None = None
 
 
 def floor_in_frame(frame: DepthFrame, seed: int = 0) -> FloorFinding:
@@ -49,6 +53,7 @@ def find_floor(patches: Patches, constants: InverseDepth, up: Floats | None, see
         below = patches.middle @ towards < 0.0
     free = patches.flat & below & (patches.normal @ towards > min(lean, PATCH_LEAN))
     floors: list[LevelPlane] = []
+    small: list[LevelPlane] = []
     objections: list[str] = []
     for _ in range(PLANES_TRIED):
         plane = _widest_level(patches, constants, free, towards, lean, rng)
@@ -58,13 +63,19 @@ def find_floor(patches: Patches, constants: InverseDepth, up: Floats | None, see
         if wrong is None:
             floors.append(plane)
         else:
-            objections.append(wrong)
+            objections.append(wrong.why)
+            small += [plane] if wrong.small else []
         free = free & ~plane.members
-    if not floors:
-        return FloorFinding(None, "no floor in view: " + (objections[0] if objections else "nothing level is seen below the sensor"))
-    lowest = max(floors, key=lambda plane: plane.height_m)
-    a, b, c = (float(v) for v in lowest.normal)
-    return FloorFinding(Floor(a, b, c, lowest.height_m), f"floor {lowest.height_m:.2f} m below the sensor")
+    if floors:
+        lowest = max(floors, key=lambda plane: plane.height_m)
+        return FloorFinding(_floor(lowest), f"floor {lowest.height_m:.2f} m below the sensor")
+    why = "no floor in view: " + (objections[0] if objections else "nothing level and wide is seen below the sensor")
+    return FloorFinding(None, why, _floor(small[0]) if small else None)
+
+
+def _floor(plane: LevelPlane) -> Floor:
+    a, b, c = (float(v) for v in plane.normal)
+    return Floor(a, b, c, plane.height_m)
 
 
 def _widest_level(

@@ -1,6 +1,6 @@
 """What a level plane must show before it counts as the floor, and not as a seat, a table or a shelf."""
 
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -18,17 +18,26 @@ LEAST_WIDTH_M: Final = 0.6  # a seat is 0.45 m
 MOST_BELOW: Final = 0.1  # of the plane's own size; a glossy floor mirrors a little of the room
 
 
-def objection(patches: Patches, plane: LevelPlane, constants: InverseDepth) -> str | None:
-    """Why the plane is no floor, in words, or None."""
+class Objection(NamedTuple):
+    """Why a plane is no floor, in words; small: only because too little of it is seen, so that it may be drawn as one."""
+
+    why: str
+    small: bool = False
+
+
+def objection(patches: Patches, plane: LevelPlane, constants: InverseDepth) -> Objection | None:
+    """What speaks against the plane, or None where it is a floor."""
     h = plane.height_m
     if not LOWEST_M <= h <= HIGHEST_M:
-        return f"the widest level surface is {h:.2f} m below the sensor, where a floor would be {LOWEST_M} to {HIGHEST_M} m"
+        return Objection(f"the widest level surface is {h:.2f} m below the sensor, where a floor would be {LOWEST_M} to {HIGHEST_M} m")
     area, length, width = _extent(patches, plane)
+    if area < LEAST_AREA_M2 / 4.0:
+        return Objection("nothing level and wide is seen below the sensor")
+    if _share_below(patches, plane, constants) > MOST_BELOW:
+        return Objection(f"things are seen below the level surface {h:.2f} m under the sensor")
     if area < LEAST_AREA_M2 or length < LEAST_LENGTH_M or width < LEAST_WIDTH_M:
-        return f"the level surface {h:.2f} m below the sensor shows only {length:.1f} by {width:.1f} m ({area:.1f} square metres)"
-    share = _share_below(patches, plane, constants)
-    if share > MOST_BELOW:
-        return f"things are seen below the level surface {h:.2f} m under the sensor"
+        seen = f"only {length:.1f} by {width:.1f} m ({area:.1f} square metres)"
+        return Objection(f"of the level surface {h:.2f} m below the sensor {seen} is seen", small=True)
     return None
 
 

@@ -2,23 +2,34 @@
 
 import pytest
 
+from game.inputs.attached import STEERS, greeting
 from game.inputs.open_input import INPUTS, InputError, open_input
 from game.inputs.puppet import Puppet, puppet_of
 from game.inputs.sensor_noise import SensorNoise
 from kinect.clip import ClipSource, write_clip
 from kinect.source import BodySource
+from kinect.usb.simulated_clock import VirtualClock
+from kinect.usb.simulated_host import SimulatedHost
+from kinect.usb.simulated_kinect import SimulatedKinect
+from kinect.usb.simulated_libusb import simulated_backend
+from kinect.usb.simulated_room import Room
+from tests.depth.depth_sessions import session, write_fakenect
 from tests.kinect.recordings import moving_clip
 
 
 @pytest.fixture
 def specs(tmp_path) -> dict[str, str]:
     write_clip(tmp_path / "sway.npz", moving_clip())
+    write_fakenect(tmp_path / "depth", session(32, typical=True))
     return {
         "clip": f"clip:{tmp_path / 'sway.npz'}",
         "performer": "performer:waving",
         "puppet": "puppet",
         "script": "script",
         "auto": "auto",
+        "kinect": "kinect",
+        "kinect-replay": f"kinect-replay:{tmp_path / 'depth'}",
+        "kinect-wire": f"kinect-wire:{tmp_path / 'depth'}",
     }
 
 
@@ -60,7 +71,7 @@ def test_a_path_may_hold_a_colon(tmp_path):
 def test_the_sensor_model_lies_over_synthetic_inputs_only(specs):
     for kind, spec in specs.items():
         source = open_input(spec, noise=0.5, latency_s=0.1, outliers=0.3, seed=4)
-        if kind == "clip":
+        if kind in ("clip", "kinect", "kinect-replay", "kinect-wire"):
             assert not isinstance(source, SensorNoise), "a real recording has its own noise"
         else:
             assert isinstance(source, SensorNoise)
@@ -75,4 +86,19 @@ def test_the_puppet_inside_can_be_steered_and_others_cannot(specs):
 
 
 def test_auto_says_why_nobody_is_tracked():
-    assert "No tracked Kinect" in open_input("auto").status
+    assert "Kinect" in open_input("auto").status and STEERS in open_input("auto").status
+
+
+def test_auto_says_what_is_attached_and_stays_on_the_puppet():
+    host = SimulatedHost(VirtualClock())
+    backend = simulated_backend(host)
+    assert greeting(lambda: backend) == f"No Kinect is attached, so {STEERS}"
+    host.plug(SimulatedKinect(Room().source()))
+    assert "not tracked from depth yet" in greeting(lambda: backend) and "--input kinect" in greeting(lambda: backend)
+
+
+def test_auto_steers_on_where_the_bus_cannot_be_looked_at():
+    def broken():
+        raise OSError("no bus here")
+
+    assert STEERS in greeting(broken)
