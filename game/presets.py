@@ -19,6 +19,7 @@ PRESETS: Mapping[str, Mapping[str, Value]] = {
         "ik.pose_weight": 1.0,
         "ik.target_clamp_m": 0.15,
         "intake.smoothing": 1.0,
+        "gate.on": False,
     },
 }
 """What each preset sets; every other tunable of the method goes back to its declared default."""

@@ -13,6 +13,9 @@ Floats = NDArray[np.float64]
 SUNK_M = 0.07
 """An ankle that sinks this far below its rest has gone through the floor: it was not seen."""
 
+SUNK_TOES_M = 0.04
+"""Toes farther below their rest than this were not seen either."""
+
 EVEN_M = 0.05
 """At the start ankles that differ more than this do not both stand."""
 
@@ -76,8 +79,9 @@ class RestingFoot:
 
     def raised(self, joints: Floats) -> tuple[float, float]:
         """How far the whole foot is over its rest, and how much farther its ankle is: the heel, metres."""
-        ankle = float(joints[self._ankle, 2]) - self._rest[0]
-        lift = min(ankle, float(joints[self._toes, 2]) - self._rest[1])
+        ankle, toes = float(joints[self._ankle, 2]) - self._rest[0], float(joints[self._toes, 2]) - self._rest[1]
+        # toes in the floor are the sensor's fault, and the ankle alone must tell
+        lift = ankle if toes < -SUNK_TOES_M else min(ankle, toes)
         return lift, ankle - lift
 
     def decide(self, sense: FootSense, dt: float, *, up_m: float, down_m: float, speed_m_s: float) -> None:

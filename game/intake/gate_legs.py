@@ -22,6 +22,9 @@ FEET = (Joint.FOOT_LEFT, Joint.FOOT_RIGHT)
 LENGTH_TIME_S = 2.0
 """How slowly the bone lengths follow what upright standing shows."""
 
+STRANGE_SHARE, STRANGE_TIME_S = 0.05, 20.0
+"""Legs that are off by more than this share of their length teach ten times more slowly: raised arms pull a sensor's hips up."""
+
 UPRIGHT_RAD = 0.35
 STRAIGHT_RAD = 0.45
 """Lengths are learnt while trunk and knees are straighter than this."""
@@ -69,7 +72,9 @@ class LegLengths:
         if standing and max(bends) < STRAIGHT_RAD and _lean(joints) < UPRIGHT_RAD:
             # a plain mean at first, then ever slower
             self._learnt_s = min(self._learnt_s + dt, LENGTH_TIME_S)
-            share = min(1.0, dt / self._learnt_s) if self._learnt_s > 0.0 else 0.0
+            off = 0.5 * sum(abs(self._leg(side, bones[side]).rise_m) for side in (0, 1))
+            time_s = self._learnt_s if off < STRANGE_SHARE * self.leg_m else STRANGE_TIME_S
+            share = min(1.0, dt / time_s) if time_s > 0.0 else 0.0
             self._neck_m += share * (neck - self._neck_m)
             for side, (thigh, shin, _) in enumerate(bones):
                 self._length[side][0] += share * (thigh[0] - self._length[side][0])
