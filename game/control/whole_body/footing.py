@@ -105,7 +105,7 @@ class Footing:
     def _fly(self, soles: tuple[Sole, Sole], wish: Wish, taking_off: bool, dt: float) -> bool:
         self.landed_s += dt
         airborne = not (soles[0].touches or soles[1].touches)
-        if wish.flight and (airborne or taking_off) and not self.flying:
+        if (taking_off or (wish.flight and airborne)) and not self.flying:
             self.flying = True
             for foot in self.feet:
                 foot.enter(Phase.SWING)

@@ -28,6 +28,9 @@ from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
+HIGHEST_LEAP_M = 0.4
+"""Nobody is followed higher than that."""
+
 GOAL_TIME_S = 0.04
 """Low-pass of where the capture point should be."""
 
@@ -121,11 +124,27 @@ class WholeBody:
         return self.pressure, frequency
 
     def _taking_off(self, body: BodyState) -> bool:
-        """The COM rises on straight legs or unloaded feet: the floor has nothing more to give."""
-        if body.com_velocity[2] < 0.35:
+        """The COM rises on straight legs, or fast enough on unloaded feet: the floor has nothing more to give."""
+        speed = body.com_velocity[2]
+        if speed < 0.35:
             return False
+        if not any(body.foot_contact) or (speed > 0.6 and max(_reach(body, side) for side in range(2)) > 0.98):
+            return True
+        player = self._player
+        assert player is not None
         load = float(self.wrench[2::6].sum()) if len(self.wrench) else 0.0
-        return load < 0.08 * body.subtree_mass[0] * body.gravity or max(_reach(body, side) for side in range(2)) > 0.995
+        return player.flight and load < 0.08 * body.subtree_mass[0] * body.gravity and speed > self._leap_speed(body) - 0.1
+
+    def _leap_speed(self, body: BodyState) -> float:
+        """m/s upwards that would carry the COM as high as the player's is going, by the newest frames; 0 where nobody leaps."""
+        player = self._player
+        assert player is not None
+        if not player.flight:
+            return 0.0
+        newest = self._window.moment(self._window.newest_s)
+        rise = max(float(newest.velocity[3, 2]), 0.0)
+        apex = player.place(newest.place[3])[2] + rise * rise / (2.0 * body.gravity)
+        return math.sqrt(2.0 * body.gravity * max(min(apex, HIGHEST_LEAP_M + body.plan.idle_com_height) - body.com[2], 0.0))
 
     def _wish(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole]) -> Wish:
         player = self._player
@@ -241,7 +260,10 @@ class WholeBody:
                 # not after the player up into the air again: soften the landing until he comes down too
                 return min(max(-12.0 * body.com_velocity[2], -5.0), 9.0)
         wanted = 100.0 * (height - body.com[2]) + 20.0 * (motion.velocity[3, 2] - body.com_velocity[2]) + motion.acceleration[3, 2]
-        return min(max(wanted, -5.0), 14.0)
+        leap = self._leap_speed(body)
+        if leap > 0.0:
+            wanted = max(wanted, 30.0 * (leap - body.com_velocity[2]))
+        return min(max(wanted, -8.0), 25.0)
 
     def _limp(self, target: KinematicTarget, body: BodyState) -> JointCommand:
         """On the floor: the target's pose with little strength."""
