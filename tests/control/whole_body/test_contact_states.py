@@ -1,0 +1,77 @@
+"""What a foot is doing, and the way it takes on a step of its own."""
+
+import numpy as np
+import pytest
+
+from game.control.whole_body.contact_states import FootState, Phase
+
+START, GOAL, CLEARANCE = np.array([0.1, 0.2, 0.0]), np.array([0.5, 0.1, 0.02]), 0.06
+
+
+def step(time_s, start_yaw=0.1, goal_yaw=0.5, duration_s=0.26):
+    """place, velocity, acceleration, yaw at time_s of a step."""
+    foot = FootState()
+    foot.step_to(START, GOAL, start_yaw, goal_yaw, duration_s)
+    foot.time_s = time_s
+    return foot.step_motion(CLEARANCE)
+
+
+def test_a_foot_stands_until_it_is_told_otherwise():
+    foot = FootState()
+    assert foot.stands
+    foot.enter(Phase.SWING)
+    assert not foot.stands and foot.time_s == 0.0 and foot.fresh
+
+
+def test_two_feet_share_no_arrays():
+    left, right = FootState(), FootState()
+    left.start[0] = left.goal[0] = left.behind[0] = 1.0
+    assert not right.start.any() and not right.goal.any() and not right.behind.any()
+
+
+def test_a_step_begins_where_the_foot_is_and_ends_at_its_goal():
+    place, velocity, _, yaw = step(0.0)
+    np.testing.assert_allclose(place, START)
+    np.testing.assert_allclose(velocity[:2], 0.0)
+    assert yaw == 0.1
+    place, velocity, _, yaw = step(0.26)
+    np.testing.assert_allclose(place, GOAL)
+    np.testing.assert_allclose(velocity[:2], 0.0)
+    assert yaw == pytest.approx(0.5)
+
+
+def test_half_way_the_foot_is_highest():
+    place, velocity, _, _ = step(0.13)
+    np.testing.assert_allclose(place[:2], 0.5 * (START + GOAL)[:2])
+    assert place[2] == pytest.approx(0.5 * (START + GOAL)[2] + CLEARANCE)
+    assert velocity[2] == pytest.approx((GOAL - START)[2] * 30.0 / 16.0 / 0.26)
+
+
+@pytest.mark.parametrize("time_s", [0.01, 0.07, 0.13, 0.2, 0.25])
+def test_velocity_and_acceleration_are_the_derivatives_of_the_place(time_s):
+    h = 1e-5
+    before, here, after = step(time_s - h), step(time_s), step(time_s + h)
+    np.testing.assert_allclose(here[1], (after[0] - before[0]) / (2 * h), atol=1e-7)
+    np.testing.assert_allclose(here[2], (after[1] - before[1]) / (2 * h), atol=1e-6)
+
+
+def test_a_late_foot_reaches_down_for_the_floor():
+    place, velocity, acceleration, yaw = step(0.31)
+    np.testing.assert_allclose(place, GOAL - [0.0, 0.0, 0.4 * 0.05], atol=1e-12)
+    np.testing.assert_allclose(velocity, [0.0, 0.0, -0.4])
+    assert not acceleration.any()
+    assert yaw == pytest.approx(0.5)
+
+
+def test_a_foot_turns_the_short_way_round():
+    assert step(0.26, 3.0, -3.0)[3] == pytest.approx(2 * np.pi - 3.0)
+    yaws = [step(t, 3.0, -3.0)[3] for t in np.linspace(0.0, 0.26, 9)]
+    assert np.all(np.diff(yaws) >= 0.0) and yaws[-1] - yaws[0] < 0.3
+
+
+def test_a_step_keeps_its_goal_where_the_caller_moves_his_array():
+    foot, goal = FootState(), GOAL.copy()
+    foot.step_to(START, goal, 0.0, 0.0, 0.26)
+    goal[:] = 9.0
+    foot.time_s = 0.26
+    np.testing.assert_allclose(foot.step_motion(CLEARANCE)[0], GOAL)
