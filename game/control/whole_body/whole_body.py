@@ -28,6 +28,9 @@ from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
+LEAST_LEAP_M = 0.06
+"""A player who rises with a swing that would carry him this far above standing is about to jump."""
+
 HIGHEST_LEAP_M = 0.4
 """Nobody is followed higher than that."""
 
@@ -139,11 +142,11 @@ class WholeBody:
         """m/s upwards that would carry the COM as high as the player's is going, by the newest frames; 0 where nobody leaps."""
         player = self._player
         assert player is not None
-        if not player.flight:
-            return 0.0
         newest = self._window.moment(self._window.newest_s)
         rise = max(float(newest.velocity[3, 2]), 0.0)
         apex = player.place(newest.place[3])[2] + rise * rise / (2.0 * body.gravity)
+        if not player.flight and apex < body.plan.idle_com_height + LEAST_LEAP_M:
+            return 0.0
         return math.sqrt(2.0 * body.gravity * max(min(apex, HIGHEST_LEAP_M + body.plan.idle_com_height) - body.com[2], 0.0))
 
     def _wish(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole]) -> Wish:
@@ -260,9 +263,8 @@ class WholeBody:
                 # not after the player up into the air again: soften the landing until he comes down too
                 return min(max(-12.0 * body.com_velocity[2], -5.0), 9.0)
         wanted = 100.0 * (height - body.com[2]) + 20.0 * (motion.velocity[3, 2] - body.com_velocity[2]) + motion.acceleration[3, 2]
-        leap = self._leap_speed(body)
-        if leap > 0.0:
-            wanted = max(wanted, 30.0 * (leap - body.com_velocity[2]))
+        if motion.velocity[3, 2] > 0.3:
+            wanted = max(wanted, 30.0 * (self._leap_speed(body) - body.com_velocity[2]))
         return min(max(wanted, -8.0), 25.0)
 
     def _limp(self, target: KinematicTarget, body: BodyState) -> JointCommand:
