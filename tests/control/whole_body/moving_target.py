@@ -16,14 +16,12 @@ Floats = NDArray[np.float64]
 def target_at(
     time_s: float, root: Floats, facing: Floats | None = None, joints: Floats | None = None, contacts: FootContacts = STANDING
 ) -> KinematicTarget:
-    """The original character with its root point at `root` (3,), turned by `facing` (4,), in the pose `joints` (14, 4); idle unless given."""
+    """The original character, root point at `root` (3,), turned by `facing` (4,), in the pose `joints` (14, 4); idle unless given."""
     facing = np.array(rotation.IDENTITY) if facing is None else facing
     joints = idle_joints() if joints is None else joints
     pose = pose_skeleton(original(), root, facing, joints)
     mapped = MappedInput(root, facing, joints, np.zeros((5, 3)))
-    return KinematicTarget(
-        time_s, root, facing, joints, np.zeros(3 * JOINT_COUNT), pose, pose.centre_of_mass(original()), mapped, contacts
-    )
+    return KinematicTarget(time_s, root, facing, joints, np.zeros(3 * JOINT_COUNT), pose, pose.centre_of_mass(original()), mapped, contacts)
 
 
 def standing_at(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Floats:

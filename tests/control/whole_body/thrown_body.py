@@ -15,9 +15,10 @@ Floats = NDArray[np.float64]
 
 
 def thrown(steps: int = 60) -> tuple[World, BodyDynamics]:
-    """A world with one body high above the floor, every joint on the move."""
+    """A world with one body high above the floor that flies, tumbles and has every joint on the move."""
     world = world_of((0.3, -0.2, 2.0))
     run(world, steps, thrash)
+    world.data.qvel[:6] += [0.8, -0.5, 1.2, 1.5, -2.0, 1.0]
     world.refresh()
     return world, world.characters[0]
 
