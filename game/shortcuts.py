@@ -19,7 +19,9 @@ class Shortcut:
 
 def _layer_shortcuts() -> list[Shortcut]:
     layers = [name for name, t in TUNABLES.items() if t.group == "layer"]
-    return [Shortcut(f"f{2 + i}", f"F{2 + i}", f"layer: {name.split('.', 1)[1]}", f"toggle {name}") for i, name in enumerate(layers[:6])]
+    keys = ("f2", "f3", "f4", "f5", "f6", "f7", "f10", "g")
+    words = [name.split(".", 1)[1].replace("_", " ") for name in layers]
+    return [Shortcut(key, key.upper(), f"layer: {word}", f"toggle {name}") for key, word, name in zip(keys, words, layers)]
 
 
 _TABLE: Final = (

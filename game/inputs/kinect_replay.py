@@ -1,7 +1,10 @@
 """A Kinect without body tracking: depth pictures and the floor are there, and a stand-in stands quietly where the body will be."""
 
+from dataclasses import replace
 from pathlib import Path
+from typing import Final
 
+from game.inputs.performer import FRAMES_PER_S
 from game.inputs.puppet import Puppet
 from kinect.body import BodyFrame, Floor
 from kinect.depth.depth_frame import DepthFrame
@@ -10,8 +13,8 @@ from kinect.depth.floor_guess import guessed_floor
 from kinect.depth.floor_watch import FloorWatch
 from kinect.depth.recording import open_depth_recording
 
-NO_BODY = "No body tracking yet: it just stands."
-GUESS_EVERY = 15  # frames
+NO_BODY: Final = "No body tracking yet: it just stands."
+GUESS_EVERY: Final = 15  # frames
 
 
 class DepthInput:
@@ -22,7 +25,9 @@ class DepthInput:
 
     def __init__(self, stream: DepthStream) -> None:
         self._stream = stream
-        self._stand_in = Puppet()
+        self._standing = Puppet().poll(0.0)[0]
+        self._frames_given = 0
+        self._closed = False
         self._watch = FloorWatch()
         self._until_s = 0.0
         self._newest: DepthFrame | None = None
@@ -59,7 +64,13 @@ class DepthInput:
         """The stand-in's frames up to until_s, for it stands while nobody is tracked."""
         length = self._stream.length_s
         self._until_s = max(self._until_s, until_s)
-        return self._stand_in.poll(until_s if length is None else min(until_s, length))
+        last = until_s if length is None else min(until_s, length)
+        frames: list[BodyFrame] = []
+        while not self._closed and self._frames_given / FRAMES_PER_S <= last + 1e-9:
+            time_s = self._frames_given / FRAMES_PER_S
+            frames.append(replace(self._standing, time_s=time_s, positions=self._standing.positions.copy()))
+            self._frames_given += 1
+        return frames
 
     def depth(self) -> DepthFrame | None:
         """The newest depth frame of the time last polled for, None before the first."""
@@ -73,7 +84,7 @@ class DepthInput:
     def close(self) -> None:
         """Release the stream. Calling it twice is harmless."""
         self._stream.close()
-        self._stand_in.close()
+        self._closed = True
 
     def _lower_guess(self, frame: DepthFrame) -> None:
         guess = guessed_floor(frame)
