@@ -16,7 +16,7 @@ BENT_RAD = 0.5
 STOOP_M = 0.1
 """A shoulder centre this much lower than in standing begins a bow, one twice as low is one."""
 
-STRETCH_SHARE = 0.03
+STRETCH_SHARE = 0.02
 """Legs may seem this much too long before the pelvis is lowered."""
 
 SETTLING_S = 0.08
