@@ -5,8 +5,13 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from game.characters.body_plan import load_body_plan
 from game.commands import BadInput
 from game.commands.casting import Casting
+from game.physics.world import FRAME_HZ
+from game.report.foot_slide import FootSlide
+from game.report.observer import SAMPLE_HZ
+from game.report.true_hands import ALLOWED_DELAY_S, TrueHands
 from game.scenes.fighter import NoBodyError
 from game.scenes.mirror import Mirror
 from game.tunables import Settings, Value
@@ -76,13 +81,34 @@ def _play(case: Case, settings: Settings, whole: bool) -> Row:
         scene.enter()
         if scene.endless:
             raise BadInput(f"{case.input} never ends, so it has no share of time upright; give a recording or a performer.")
+        slide = FootSlide()
+        hands = (
+            TrueHands(case.input.removeprefix("performer:"), load_body_plan(case.character))
+            if case.input.startswith("performer:")
+            else None
+        )
         while not scene.finished and (whole or scene.observer.upright.upright):
             scene.fixed_update()
+            simulation = scene.simulation
+            if simulation.frame > 0 and simulation.frame % (FRAME_HZ // SAMPLE_HZ) == 0 and scene.observer.upright.upright:
+                slide.sample(simulation.time_s, simulation.world.characters[0])
+                if hands is not None:
+                    hands.sample(simulation.time_s, simulation.world.characters[0])
         report = scene.report()
     finally:
         scene.leave()
     clip_s, upright_s = report["clip_s"], report["upright_s"]
     assert isinstance(clip_s, float) and isinstance(upright_s, float)
     measured: Row = {"clip_s": clip_s, "share": min(1.0, upright_s / clip_s) if clip_s > 0.0 else 1.0}
-    measured |= {name: report[name] for name in MEASURES}
+    # the last frame may end a fraction of a frame after the recording
+    measured |= {name: report[name] for name in MEASURES} | {"upright_s": min(upright_s, clip_s)}
+    measured |= {"foot_slide_m_s": slide.speed_m_s, **_true_hands(hands)}
     return measured | {"timing": {name: report[name] for name in ("real_time_factor", "ms_per_frame")}}
+
+
+def _true_hands(hands: TrueHands | None) -> Row:
+    """Of a performer: when the wrists are closest to the clean performer's, and how close then, or at the longest allowed delay."""
+    if hands is None:
+        return {"hand_error_true_m": None, "hand_delay_s": None}
+    delay_s = hands.best_delay_s()
+    return {"hand_error_true_m": hands.error_m(min(delay_s, ALLOWED_DELAY_S)), "hand_delay_s": delay_s}

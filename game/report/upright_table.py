@@ -15,6 +15,9 @@ SPREAD = (
     "end_effector_error_m_vs_mapped",
     "wrist_lag_s",
     "wrist_path_ratio",
+    "hand_error_true_m",
+    "hand_delay_s",
+    "foot_slide_m_s",
 )
 """What is given as mean and spread over the seeds."""
 

@@ -11,11 +11,13 @@ Entry = Mapping[str, Any]
 
 HEADING = (
     f"{'':35s}{'upright s':>15s}{'of s':>7s}{'%':>7s}{'ends':>7s}"
-    f"{'joint error rad':>17s}{'hands, feet m':>16s}{'wrist lag':>11s}{'path':>7s}{'force N':>9s}"
+    f"{'joint error rad':>17s}{'hands, feet m':>16s}{'wrist lag':>11s}{'path':>7s}{'true hand':>19s}{'slide':>10s}{'force N':>9s}"
 )
 MEANING = (
     "Mean and spread over seeds. ends: runs upright to the end. Errors from the processed target / from the mapped input, while upright.\n"
-    "hands, feet: mean distance of the five end-effectors. lag and path: of the wrists against the input. force: largest unexplained."
+    "hands, feet: mean distance of the five end-effectors. lag and path: of the wrists against the input.\n"
+    "true hand: wrists from the clean performer's at most 0.15 s before, and when they are closest. slide: of bearing feet.\n"
+    "force: largest unexplained."
 )
 
 
@@ -51,7 +53,10 @@ def _line(entry: Entry) -> str:
     text += _pair(entry, "joint_error_parent_rad", ".3f").rjust(17) + _pair(entry, "end_effector_error_m", ".3f").rjust(16)
     lag, path = entry["wrist_lag_s"], entry["wrist_path_ratio"]
     text += f"{'-' if lag is None else format(1000.0 * lag['mean'], '.0f') + ' ms':>11s}"
-    text += f"{'-' if path is None else format(100.0 * path['mean'], '.0f') + ' %':>7s}{entry['unexplained_force_max_n']:9.0e}"
+    text += f"{'-' if path is None else format(100.0 * path['mean'], '.0f') + ' %':>7s}"
+    hand, delay, slide = entry["hand_error_true_m"], entry["hand_delay_s"], entry["foot_slide_m_s"]
+    text += f"{'-' if hand is None else format(hand['mean'], '.3f') + ' m, ' + format(1000.0 * delay['mean'], '.0f') + ' ms':>19s}"
+    text += f"{'-' if slide is None else format(100.0 * slide['mean'], '.1f') + ' cm/s':>10s}{entry['unexplained_force_max_n']:9.0e}"
     return text + (f"  {len(entry['failed'])} failed: {entry['failed'][0]}" if entry["failed"] else "")
 
 
