@@ -112,11 +112,13 @@ def test_a_wrench_that_is_already_allowed_is_the_free_one():
     quadratic = np.eye(6)
     wanted = np.array([10.0, -20.0, 400.0, 5.0, 10.0, -6.0])
     found = solve_wrenches(quadratic, -wanted, cone(1), np.zeros((0, 6)), NONE, NONE)
+    assert found is not None
     np.testing.assert_allclose(found, wanted, atol=1e-7)
 
 
 def test_a_foot_that_is_pulled_up_lets_go():
     found = solve_wrenches(np.eye(6), np.array([0.0, 0.0, 300.0, 0.0, 0.0, 0.0]), cone(1), np.zeros((0, 6)), NONE, NONE)
+    assert found is not None
     np.testing.assert_allclose(found, 0.0, atol=1e-7)
 
 

@@ -28,14 +28,12 @@ class Scene:
         self.wished, self.wished_yaw = STAND.copy(), (0.0, 0.0)
         self.calm, self.taking_off = True, False
 
-    def soles(self):
-        return tuple(
-            Sole(
-                np.array([*self.place[side], self.height[side]]), self.yaw[side], np.array([*self.place[side], 0.09]),
-                self.touches[side], HALF_LENGTH, HALF_WIDTH,
-            )
-            for side in range(2)
-        )  # fmt: skip
+    def soles(self) -> tuple[Sole, Sole]:
+        return self.sole(LEFT), self.sole(RIGHT)
+
+    def sole(self, side: int) -> Sole:
+        centre, ankle = np.array([*self.place[side], self.height[side]]), np.array([*self.place[side], 0.09])
+        return Sole(centre, self.yaw[side], ankle, self.touches[side], HALF_LENGTH, HALF_WIDTH)
 
     def go(self, seconds=DT):
         for _ in range(max(1, round(seconds / DT))):
