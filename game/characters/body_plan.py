@@ -57,6 +57,12 @@ class BodyPlan:
         return self.centre - self.joint
 
     @cached_property
+    def foot_half(self) -> tuple[float, float, float]:
+        """m, half length, width and height of a foot box."""
+        length, width, height = (self.size[PARTS.index("foot_left")] / 2.0).tolist()
+        return length, width, height
+
+    @cached_property
     def total_mass(self) -> float:
         return float(self.mass.sum())
 

@@ -5,6 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiled import compiled
 from game.control.whole_body.support_polygon import distance_inside, nearest_inside
 
 Floats = NDArray[np.float64]
@@ -15,16 +16,25 @@ def natural_frequency(gravity: float, height_m: float) -> float:
     return math.sqrt(gravity / max(height_m, 0.2))
 
 
+@compiled
 def capture_point(com: Floats, velocity: Floats, frequency: float) -> Floats:
     """(2,) xi = c + v / omega."""
     return com[:2] + velocity[:2] / frequency
 
 
+@compiled
 def predicted(xi: Floats, pivot: Floats, frequency: float, time_s: float) -> Floats:
     """(2,) the capture point in `time_s`, the centre of pressure staying at `pivot` (2,)."""
     return pivot + (xi - pivot) * math.exp(frequency * time_s)
 
 
+@compiled
+def escape(hull: Floats, xi: Floats, frequency: float, time_s: float) -> tuple[float, float]:
+    """m that xi lies outside the hull, now and in `time_s`; negative inside."""
+    return -distance_inside(hull, xi), -distance_inside(hull, predicted(xi, nearest_inside(hull, xi), frequency, time_s))
+
+
+@compiled
 def pressure_target(xi: Floats, wanted: Floats, frequency: float, gain: float, hull: Floats, beyond_m: float) -> Floats:
     """(2,) the pivot that brings xi to `wanted` at rate `gain` (1/s), inside the hull; up to `beyond_m` outside once xi nears its edge.
 
@@ -35,5 +45,5 @@ def pressure_target(xi: Floats, wanted: Floats, frequency: float, gain: float, h
     inside = nearest_inside(hull, pivot)
     allowed = min(max(-distance_inside(hull, xi), 0.0), beyond_m)
     excess = pivot - inside
-    length = math.hypot(excess[0], excess[1])
+    length = math.sqrt(excess[0] ** 2 + excess[1] ** 2)
     return inside if length < 1e-9 else inside + excess * min(1.0, allowed / length)

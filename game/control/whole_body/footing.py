@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from game.control.whole_body.capture_point import predicted
+from game.control.whole_body.capture_point import escape, predicted
 from game.control.whole_body.contact_states import FootState, Phase
-from game.control.whole_body.support_polygon import convex_hull, distance_inside, nearest_inside, sole_corners
+from game.control.whole_body.support_polygon import distance_inside, hull_of_soles, nearest_inside, sole_corners
 
 Floats = NDArray[np.float64]
 
@@ -22,6 +22,7 @@ NEAR_FLOOR_M = 0.08
 
 STEP_S = 0.26
 RETURN_S = 0.4
+LOOK_AHEAD_S = 0.1
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,13 @@ class Sole:
     def corners(self, margin_m: float) -> Floats:
         """(4, 2) less a margin all round."""
         return sole_corners(self.centre, self.yaw, max(self.half_length - margin_m, 0.005), max(self.half_width - margin_m, 0.005))
+
+
+def polygon(soles: tuple[Sole, Sole], left: bool, right: bool, margin_m: float) -> Floats:
+    """(n, 2) the hull of one sole or of both, less a margin all round each."""
+    a, b = soles
+    length, width = max(a.half_length - margin_m, 0.005), max(a.half_width - margin_m, 0.005)
+    return hull_of_soles(a.centre, a.yaw, b.centre, b.yaw, left, right, length, width)
 
 
 @dataclass(frozen=True)
@@ -81,16 +89,14 @@ class Footing:
 
     def hull(self, soles: tuple[Sole, Sole], margin_m: float) -> Floats:
         """The polygon of the feet that stand; of the intended foot alone where one is about to lift."""
-        sides = [side for side in range(2) if self.feet[side].stands]
-        if not sides:
-            sides = [0, 1]
-        return convex_hull(np.concatenate([soles[side].corners(margin_m) for side in sides]))
+        left, right = self.feet[0].stands, self.feet[1].stands
+        return polygon(soles, left or not right, right or not left, margin_m)
 
     def goal_hull(self, soles: tuple[Sole, Sole], margin_m: float) -> Floats:
         """Where the capture point should be."""
         if self.intended is None:
             return self.hull(soles, margin_m)
-        return convex_hull(soles[self.intended].corners(margin_m))
+        return soles[self.intended].corners(margin_m)
 
     def _land(self, soles: tuple[Sole, Sole], wish: Wish) -> None:
         for side, foot in enumerate(self.feet):
@@ -126,7 +132,7 @@ class Footing:
         if side is None:
             return
         self.intended = other = 1 - side
-        if not soles[other].touches or distance_inside(convex_hull(soles[other].corners(LIFT_MARGIN_M)), xi) < 0.0:
+        if not soles[other].touches or distance_inside(soles[other].corners(LIFT_MARGIN_M), xi) < 0.0:
             return
         if wish.up[side]:
             self.feet[side].enter(Phase.SWING)
@@ -153,11 +159,8 @@ class Footing:
         standing = [side for side in range(2) if self.feet[side].stands]
         if not standing:
             return
-        coming = [s for s in range(2) if self.feet[s].phase is Phase.SWING and not wish.up[s] and soles[s].centre[2] < NEAR_FLOOR_M]
-        hull = convex_hull(np.concatenate([soles[side].corners(0.0) for side in standing + coming]))
-        outside = -distance_inside(hull, xi)
-        pivot = nearest_inside(hull, xi)
-        ahead = -distance_inside(hull, predicted(xi, pivot, frequency, 0.1))
+        counts = [foot.stands or (foot.phase is Phase.SWING and not wish.up[side] and soles[side].centre[2] < NEAR_FLOOR_M) for side, foot in enumerate(self.feet)]
+        outside, ahead = escape(polygon(soles, counts[0], counts[1], 0.0), xi, frequency, LOOK_AHEAD_S)
         self.outside_s = self.outside_s + dt if outside > 0.0 else 0.0
         if not (outside > 0.025 or ahead > 0.05 or self.outside_s > 0.12):
             self._retarget(soles, xi, frequency, wish)
@@ -190,10 +193,10 @@ class Footing:
         It stays on its own side of the other foot and within a leg's reach.
         """
         other = soles[1 - side]
-        pivot = nearest_inside(convex_hull(other.corners(PRESSURE_MARGIN_M)), xi)
+        pivot = nearest_inside(other.corners(PRESSURE_MARGIN_M), xi)
         landing = predicted(xi, pivot, frequency, max(time_s, 0.0))
         half = soles[side]
-        there = convex_hull(sole_corners(wish.place[side], wish.yaw[side], half.half_length - 0.04, half.half_width - 0.03))
+        there = sole_corners(wish.place[side], wish.yaw[side], half.half_length - 0.04, half.half_width - 0.03)
         place = wish.place[side] + landing - nearest_inside(there, landing)
         c, s = math.cos(other.yaw), math.sin(other.yaw)
         offset = place - other.centre[:2]

@@ -40,48 +40,57 @@ def add_task(hessian: Floats, gradient: Floats, rows: Floats, weight: Floats, wa
 
 @compiled
 def cholesky(a: Floats) -> Floats:
-    """(n, n) lower triangular L with L L' = a; only a's lower triangle is read."""
+    """(n, n) lower triangular L with L L' = a; only a's lower triangle is read. Row by row from the right: loops that vectorise."""
     count = len(a)
     out = np.zeros((count, count))
+    column = np.empty(count)
     for i in range(count):
         for j in range(i + 1):
-            total = a[i, j]
-            for k in range(j):
-                total -= out[i, k] * out[j, k]
-            out[i, j] = math.sqrt(max(total, 1e-300)) if i == j else total / out[j, j]
+            out[i, j] = a[i, j]
+    for k in range(count):
+        pivot = math.sqrt(max(out[k, k], 1e-300))
+        out[k, k] = pivot
+        for i in range(k + 1, count):
+            column[i] = out[i, k] / pivot
+            out[i, k] = column[i]
+        for i in range(k + 1, count):
+            scale = column[i]
+            if scale != 0.0:
+                for j in range(k + 1, i + 1):
+                    out[i, j] -= scale * column[j]
     return out
 
 
 @compiled
 def solve_lower_both(lower: Floats, right: Floats) -> Floats:
-    """(n, m) x with L L' x = right."""
-    count, columns = right.shape
+    """(m, n) rows x with L L' x = right, one right-hand side a row."""
     x = right.copy()
-    for i in range(count):
-        for k in range(i):
-            for c in range(columns):
-                x[i, c] -= lower[i, k] * x[k, c]
-        for c in range(columns):
-            x[i, c] /= lower[i, i]
-    for i in range(count - 1, -1, -1):
-        for k in range(i + 1, count):
-            for c in range(columns):
-                x[i, c] -= lower[k, i] * x[k, c]
-        for c in range(columns):
-            x[i, c] /= lower[i, i]
+    count = len(lower)
+    for row in range(len(x)):
+        one_x = x[row]
+        for i in range(count):
+            total = one_x[i]
+            for k in range(i):
+                total -= lower[i, k] * one_x[k]
+            one_x[i] = total / lower[i, i]
+        for i in range(count - 1, -1, -1):
+            value = one_x[i] / lower[i, i]
+            one_x[i] = value
+            for k in range(i):
+                one_x[k] -= lower[i, k] * value
     return x
 
 
 @compiled
 def eliminate(hessian: Floats, mass: Floats) -> tuple[Floats, Floats, Floats]:
-    """What stays when the accelerations are eliminated: L of H, H^-1 M_u' (48, 6), and S^-1 (6, 6) of S = M_u H^-1 M_u'."""
+    """What stays when the accelerations are eliminated: L of H, (H^-1 M_u')' (6, 48), and S^-1 (6, 6) of S = M_u H^-1 M_u'."""
     lower = cholesky(hessian)
-    response = solve_lower_both(lower, mass[:, :_ROOT_ROWS].copy())
+    response = solve_lower_both(lower, mass[:_ROOT_ROWS])
     schur = np.zeros((_ROOT_ROWS, _ROOT_ROWS))
     for i in range(_ROOT_ROWS):
         for j in range(_ROOT_ROWS):
             for k in range(DOF_COUNT):
-                schur[i, j] += mass[i, k] * response[k, j]
+                schur[i, j] += mass[i, k] * response[j, k]
     return lower, response, solve_lower_both(cholesky(schur), np.eye(_ROOT_ROWS))
 
 
@@ -94,7 +103,7 @@ def wrench_cost(
     jacobian (n, 48): one row a wrench component; price (n,): the diagonal of E.
     """
     count = len(jacobian)
-    free = solve_lower_both(lower, gradient.copy().reshape(-1, 1))[:, 0].copy()
+    free = solve_lower_both(lower, gradient.reshape(1, -1))[0]
     residual = bias[:_ROOT_ROWS].copy()
     for i in range(_ROOT_ROWS):
         for k in range(DOF_COUNT):
@@ -130,7 +139,7 @@ def motion_and_torque(
         for j in range(_ROOT_ROWS):
             multiplier += schur_inverse[i, j] * force[j]
         for k in range(DOF_COUNT):
-            acceleration[k] += response[k, i] * multiplier
+            acceleration[k] += response[i, k] * multiplier
     torque = bias[_ROOT_ROWS:].copy()
     for row in range(DOF_COUNT - _ROOT_ROWS):
         for k in range(DOF_COUNT):
@@ -151,7 +160,7 @@ def torque_of_wrench(
     for k in range(DOF_COUNT):
         for i in range(_ROOT_ROWS):
             for j in range(_ROOT_ROWS):
-                answer[k, i] += response[k, j] * schur_inverse[j, i]
+                answer[k, i] += response[j, k] * schur_inverse[j, i]
     for at in range(len(rows)):
         row = _ROOT_ROWS + rows[at]
         for i in range(_ROOT_ROWS):

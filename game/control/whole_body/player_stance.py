@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
+from game.characters.skeleton import FEET
+from game.compiled import compiled
 from game.control.whole_body.motion_window import Motion
 from game.target.kinematic_target import KinematicTarget
 
@@ -13,6 +15,9 @@ Floats = NDArray[np.float64]
 
 FLOOR_TIME_S, PLACE_TIME_S = 1.0, 1.0
 """How fast the heights and places of two planted feet become the floor and the place that the character stands on."""
+
+
+_NOWHERE = np.zeros(2)
 
 
 class PlayerStance:
@@ -27,6 +32,7 @@ class PlayerStance:
         self.flight = False
         self.floor_z = 0.0
         self.turn_rad = 0.0
+        self._cos, self._sin = 1.0, 0.0
         self._shift = np.zeros(2)
 
     def settle(self, target: KinematicTarget, ankles: Floats, root_yaw: float) -> None:
@@ -34,7 +40,8 @@ class PlayerStance:
         theirs = _ankles(target)
         self.floor_z = float(theirs[:, 2].min()) - self._rest
         self.turn_rad = root_yaw - one.yaw(target.root_orientation)
-        self._shift = ankles.mean(axis=0)[:2] - self._turned(theirs.mean(axis=0)[:2])
+        self._cos, self._sin = math.cos(self.turn_rad), math.sin(self.turn_rad)
+        self._shift = (ankles.mean(axis=0) - self.direction(theirs.mean(axis=0)))[:2]
         self.up = [False, False]
 
     def watch(self, target: KinematicTarget) -> None:
@@ -44,23 +51,18 @@ class PlayerStance:
 
     def drift(self, target: KinematicTarget, ankles: Floats, dt: float) -> None:
         """Both stand on both feet: floor and place follow slowly."""
-        theirs = _ankles(target)
-        self.floor_z += min(dt / FLOOR_TIME_S, 1.0) * (float(theirs[:, 2].mean()) - self._rest - self.floor_z)
-        gap = ankles.mean(axis=0)[:2] - self.place(theirs.mean(axis=0))[:2]
-        self._shift += min(dt / PLACE_TIME_S, 1.0) * gap
+        theirs = 0.5 * (target.pose.joint[FEET[0]] + target.pose.joint[FEET[1]])
+        self.floor_z += min(dt / FLOOR_TIME_S, 1.0) * (float(theirs[2]) - self._rest - self.floor_z)
+        gap = 0.5 * (ankles[0] + ankles[1]) - self.place(theirs)
+        self._shift = self._shift + min(dt / PLACE_TIME_S, 1.0) * gap[:2]
 
     def place(self, point: Floats) -> Floats:
         """A point (3,) of the player's world in the character's."""
-        out = np.empty(3)
-        out[:2] = self._shift + self._turned(point[:2])
-        out[2] = point[2] - self.floor_z
-        return out
+        return _laid_over(point, self._shift, self._cos, self._sin, self.floor_z)
 
     def direction(self, vector: Floats) -> Floats:
         """A vector (3,) of the player's world in the character's."""
-        out = vector.copy()
-        out[:2] = self._turned(vector[:2])
-        return out
+        return _laid_over(vector, _NOWHERE, self._cos, self._sin, 0.0)
 
     def orientation(self, turn: Floats) -> Floats:
         """An orientation (4,) of the player's world in the character's."""
@@ -69,10 +71,15 @@ class PlayerStance:
     def ankle(self, motion: Motion, side: int) -> Floats:
         return self.place(motion.place[1 + side])
 
-    def _turned(self, xy: Floats) -> Floats:
-        c, s = math.cos(self.turn_rad), math.sin(self.turn_rad)
-        return np.array([c * xy[0] - s * xy[1], s * xy[0] + c * xy[1]])
+
+@compiled
+def _laid_over(point: Floats, shift: Floats, c: float, s: float, floor_z: float) -> Floats:
+    out = np.empty(3)
+    out[0] = shift[0] + c * point[0] - s * point[1]
+    out[1] = shift[1] + s * point[0] + c * point[1]
+    out[2] = point[2] - floor_z
+    return out
 
 
 def _ankles(target: KinematicTarget) -> Floats:
-    return target.pose.joint[[11, 14]]
+    return target.pose.joint[list(FEET)]

@@ -23,6 +23,21 @@ def sole_corners(centre: Floats, yaw_rad: float, half_length: float, half_width:
 
 
 @compiled
+def hull_of_soles(
+    left: Floats, left_yaw: float, right: Floats, right_yaw: float, use_left: bool, use_right: bool, half_length: float, half_width: float
+) -> Floats:
+    """(n, 2) m: the hull of one sole or of both; centres (2,) or (3,)."""
+    if use_left and use_right:
+        both = np.empty((8, 2))
+        both[:4] = sole_corners(left, left_yaw, half_length, half_width)
+        both[4:] = sole_corners(right, right_yaw, half_length, half_width)
+        return convex_hull(both)
+    if use_left:
+        return sole_corners(left, left_yaw, half_length, half_width)
+    return sole_corners(right, right_yaw, half_length, half_width)
+
+
+@compiled
 def _turns_left(a: Floats, b: Floats, c: Floats) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 

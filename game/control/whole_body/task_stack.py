@@ -74,17 +74,13 @@ def add_spin(
     arm (3,) from the root to the COM. Orin, Goswami & Lee 2013: the centroidal momentum from the root rows of M.
     """
     rows, rest = np.empty((3, DOF_COUNT)), np.empty(3)
-    for column in range(DOF_COUNT + 1):
-        moment, force = np.empty(3), np.empty(3)
-        for axis in range(3):
-            moment[axis] = bias[3 + axis] if column == DOF_COUNT else mass[3 + axis, column]
-            force[axis] = bias[axis] if column == DOF_COUNT else mass[axis, column]
-        about = one.turn(root_turn, moment) - one.cross(arm, force)
-        for axis in range(3):
-            if column == DOF_COUNT:
-                rest[axis] = about[axis]
-            else:
-                rows[axis, column] = about[axis]
+    for axis in range(3):
+        after, last = (axis + 1) % 3, (axis + 2) % 3
+        r0, r1, r2, p, q = root_turn[axis, 0], root_turn[axis, 1], root_turn[axis, 2], arm[after], arm[last]
+        for column in range(DOF_COUNT):
+            turned = r0 * mass[3, column] + r1 * mass[4, column] + r2 * mass[5, column]
+            rows[axis, column] = turned - p * mass[last, column] + q * mass[after, column]
+        rest[axis] = r0 * bias[3] + r1 * bias[4] + r2 * bias[5] - p * bias[last] + q * bias[after]
     momentum = np.zeros(3)
     for axis in range(3):
         for column in range(DOF_COUNT):

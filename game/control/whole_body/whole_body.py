@@ -31,6 +31,7 @@ Floats = NDArray[np.float64]
 LEAST_LEAP_M = 0.06
 """A player who rises with a swing that would carry him this far above standing is about to jump."""
 
+SOLE_AHEAD_M = 0.055
 HIGHEST_LEAP_M = 0.4
 """Nobody is followed higher than that."""
 
@@ -282,13 +283,11 @@ def _reach(body: BodyState, side: int) -> float:
 
 def _forward(yaw: float, sole: Sole) -> Floats:
     """(2,) from the ankle to the centre of the sole of a flat foot."""
-    c, s = math.cos(yaw), math.sin(yaw)
-    return 0.055 * np.array([c, s])
+    return np.array([SOLE_AHEAD_M * math.cos(yaw), SOLE_AHEAD_M * math.sin(yaw)])
 
 
 def _sole(body: BodyState, side: int) -> Sole:
     part = FEET[side]
-    half = body.plan.size[part] / 2.0
+    length, width, height = body.plan.foot_half
     turn = body.turn[part]
-    centre = body.box_centre[part] - half[2] * turn[:, 2]
-    return Sole(centre, math.atan2(turn[1, 0], turn[0, 0]), body.joint[part], body.foot_contact[side], half[0], half[1])
+    return Sole(body.box_centre[part] - height * turn[:, 2], math.atan2(turn[1, 0], turn[0, 0]), body.joint[part], body.foot_contact[side], length, width)
