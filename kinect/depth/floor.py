@@ -16,10 +16,12 @@ from kinect.depth.patches import Patches, patches_of
 PATCH_LEAN: Final = float(np.cos(np.radians(16.0)))  # one piece's normal is good to a few degrees
 LEAN_WITH_GRAVITY: Final = float(np.cos(np.radians(5.0)))  # the accelerometer's own error reaches 3 degrees
 LEAN_WITHOUT_GRAVITY: Final = float(np.cos(np.radians(32.0)))  # the motor reaches 27 degrees
-HYPOTHESES: Final = 500
+HYPOTHESES: Final = 250
+JURY: Final = 600  # pieces that judge each hypothesis
 PLANES_TRIED: Final = 4
 FEWEST_PIECES: Final = 6
 SHARES: Final = (1.0, 0.3, 0.12)  # of the tolerance: whole pieces are good to a tenth of a code
+RIVALS: Final = 0.5  # a thick rug may show as much as the floor it lies on; crumbs of both that chance to align show less
 KEPT: Final = 0.4  # a lens that bends the floor loses more to the strictest share, and is fitted with the one before
 SENSOR_UP: Final = np.array([0.0, 1.0, 0.0])
 
@@ -42,7 +44,7 @@ def floor_in_frame(frame: DepthFrame, seed: int = 0) -> FloorFinding:
 
 
 def find_floor(patches: Patches, constants: InverseDepth, up: Floats | None, seed: int = 0) -> FloorFinding:
-    """The lowest wide level plane with nothing below it; `up` (3,) is the unit direction against gravity, where known.
+    """The widest level plane with nothing below it, the lower of two alike; `up` (3,) is the unit direction against gravity, where known.
 
     The same pieces, up and seed give the same answer.
     """
@@ -67,7 +69,9 @@ def find_floor(patches: Patches, constants: InverseDepth, up: Floats | None, see
             small += [plane] if wrong.small else []
         free = free & ~plane.members
     if floors:
-        lowest = max(floors, key=lambda plane: plane.height_m)
+        most = max(np.count_nonzero(plane.members) for plane in floors)
+        wide = [plane for plane in floors if np.count_nonzero(plane.members) >= RIVALS * most]
+        lowest = max(wide, key=lambda plane: plane.height_m)
         return FloorFinding(_floor(lowest), f"floor {lowest.height_m:.2f} m below the sensor")
     why = "no floor in view: " + (objections[0] if objections else "nothing level and wide is seen below the sensor")
     return FloorFinding(None, why, _floor(small[0]) if small else None)
@@ -115,6 +119,8 @@ def _best_of_three(
         return None
     normals = normals[usable].T
     offsets = -np.einsum("ij,ji->i", corners[usable, 0], normals)
+    if len(candidates) > JURY:
+        candidates = rng.choice(candidates, JURY, replace=False)
     points = patches.middle[candidates]
     near = np.abs(heights(points, normals, offsets)) < share * tolerance(points, normals, constants)
     slant = -np.einsum("ij,ij->i", patches.normal[candidates], points) / np.linalg.norm(points, axis=1)

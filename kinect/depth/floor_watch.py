@@ -14,12 +14,13 @@ from kinect.depth.patches import Patches, patches_of
 
 LOOK_EVERY_S: Final = 0.5
 REMEMBER_S: Final = 3.0
+LOOK_AGAIN_S: Final = 5.0
 STEADY_OF: Final = 5  # findings of which the median counts
 MOVED: Final = float(np.cos(np.radians(2.0)))
 
 
 class FloorWatch:
-    """Fed with every depth frame of a sensor; looks for the floor twice a second of the frames' time.
+    """Fed with every depth frame of a sensor; looks for the floor twice a second of the frames' time, once it is sure every 5 s.
 
     A piece hidden for a moment counts as last seen, for 3 s. A floor once found stays while the sensor's tilt does.
     """
@@ -50,11 +51,12 @@ class FloorWatch:
 
     def see(self, frame: DepthFrame) -> Floor | None:
         """Take a frame in; gives the floor as known with it."""
-        if self._looked_s is not None and 0.0 <= frame.time_s - self._looked_s < LOOK_EVERY_S:
-            return self.floor
         up = frame.up()
         if self._has_moved(frame, up):
             self._forget("the sensor was moved")
+        wait_s = LOOK_EVERY_S if len(self._found) < STEADY_OF else LOOK_AGAIN_S
+        if self._looked_s is not None and frame.time_s - self._looked_s < wait_s:
+            return self.floor
         self._looked_s, self._first = frame.time_s, self._first or frame
         self._up = up if self._up is None else self._up
         self._remember(patches_of(frame), frame.time_s)

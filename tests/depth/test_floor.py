@@ -21,6 +21,7 @@ STANDS = [
     Stand(1.8, -21.0, -6.0),
     Stand(1.0, 1.0, -4.0),
     Stand(0.6, 0.0, 2.0),
+    Stand(1.566, -17.436, -4.885),  # once crumbs of floor and rug together made a lower plane
 ]
 
 
@@ -52,7 +53,9 @@ def test_a_lens_that_bends_the_picture_costs_less_than_a_degree_and_three_centim
 def test_the_same_picture_and_seed_give_the_same_floor() -> None:
     frame = depth_frame(STANDS[0], FURNITURE + person(0.2, 2.4), seed=0, accel_error_deg=2.0)
     assert floor_in_frame(frame, seed=3) == floor_in_frame(frame, seed=3)
-    assert floor_in_frame(frame, seed=3) != floor_in_frame(frame, seed=4)
+    one, other = floor_in_frame(frame, seed=3).floor, floor_in_frame(frame, seed=4).floor
+    assert one is not None and other is not None
+    assert np.abs(np.subtract(one, other)).max() < 0.005, "chance decides little"
 
 
 def test_a_sensor_that_looks_over_the_floor_sees_none() -> None:
