@@ -49,9 +49,14 @@ class Actions:
 
     @property
     def paused(self) -> bool:
-        """No fixed updates run: the player paused, or the menu is open."""
+        """No fixed updates run: the player paused, the menu is open, or the sensor was unplugged."""
         shown = self._shown
-        return self._paused or (shown is not None and shown.menu)
+        return self._paused or (shown is not None and shown.menu) or self.interrupted != ""
+
+    @property
+    def interrupted(self) -> str:
+        """Why the game waits for the player's sensor, in words; empty while it does not, as in a run that nobody watches."""
+        return "" if self._app.options.headless else getattr(self._app.scene, "interrupted", "")
 
     @property
     def restart_pending(self) -> bool:

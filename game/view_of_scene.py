@@ -35,6 +35,7 @@ def view_of_scene(app: App) -> View:
         fell=_fell(readouts),
         speed=app.pace.speed,
         paused=actions.paused,
+        interrupted=actions.interrupted,
         finished=scene.finished,
         restart_pending=actions.restart_pending,
         first_input_s=actions.first_input_s,

@@ -97,9 +97,9 @@ def _wire(argument: str, _seed: int) -> BodySource:
 
 
 def _kinect(_argument: str, _seed: int) -> BodySource:
-    from game.inputs.kinect_replay import attached_kinect
+    from game.inputs.kinect_live import LiveKinect
 
-    return attached_kinect()
+    return LiveKinect()
 
 
 def _depth(opens: Callable[[], BodySource]) -> BodySource:

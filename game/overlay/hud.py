@@ -118,7 +118,9 @@ def _clear_of_panels(shown: Shown, size: tuple[float, float], em: float, reach: 
 
 def _badges(view: View) -> list[tuple[str, Rgba]]:
     badges: list[tuple[str, Rgba]] = []
-    if view.paused:
+    if view.interrupted:
+        badges.append((f"paused: {view.interrupted}", WARN))
+    elif view.paused:
         badges.append(("paused", ACCENT))
     elif view.time_s < 0:
         badges.append(("get ready", COOL))

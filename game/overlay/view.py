@@ -25,6 +25,7 @@ class View:
     """One picture frame as the overlay shows it.
 
     now_s: seconds on the loop's clock since the game began; speed: simulated seconds per second;
+    interrupted: why the game waits for the player's sensor, empty while it does not;
     depth_picture: (h, w, 4) RGBA of what a depth camera sees, always of one size, None without one;
     stage_ms: median milliseconds per stage; upright_s: None where no scene measures it; fell: the upright time has ended.
     """
@@ -44,6 +45,7 @@ class View:
     fell: bool = False
     speed: float = 1.0
     paused: bool = False
+    interrupted: str = ""
     finished: bool = False
     restart_pending: bool = False
     first_input_s: float | None = None

@@ -38,6 +38,11 @@ class PlayedScene:
         return length is not None and self.time_s >= length
 
     @property
+    def interrupted(self) -> str:
+        """Why the game had better wait for the player's sensor, in words; empty while it need not."""
+        return getattr(self.simulation.fighters[0].source, "interrupted", "")
+
+    @property
     def depth_picture(self) -> NDArray[np.uint8] | None:
         """(h, w, 4) RGBA of what the player's depth camera sees; None where the input has none, or nobody wants to see it."""
         return depth_picture(self.simulation.fighters[0].source, self._settings)
