@@ -50,7 +50,7 @@ class BodyDynamics:
         self.box_centre: Floats = self._box_centre.copy()
         self.subtree_com: Floats = self._subtree_com.copy()
         self.com: Floats = self.subtree_com[0]
-        for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian", "equations", "velocity", "joint_rotation"):
+        for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian", "equations"):
             self.__dict__.pop(name, None)
 
     @property
@@ -68,12 +68,12 @@ class BodyDynamics:
         """(63,) qpos of this character."""
         return self._position.copy()
 
-    @cached_property
+    @property
     def velocity(self) -> Floats:
         """(48,) qvel: root linear (world), root angular (root frame), joints (child frames)."""
         return self._velocity.copy()
 
-    @cached_property
+    @property
     def joint_rotation(self) -> Floats:
         """(14, 4) child in parent frame."""
         return self._position[7:].reshape(-1, 4).copy()

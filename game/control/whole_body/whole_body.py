@@ -65,10 +65,12 @@ class WholeBody:
         self.cos = np.zeros(3)
         self.com_target = np.zeros(3)
         self.left_share = 0.5
+        self._ready = False
         self._hanging = AnkleStrategy(settings)
         self._cone_of, self._cone_rows = (0.0, 0), _NO_ROWS
 
     def reset(self, dynamics: BodyState) -> None:
+        self._ready = True
         self.footing = Footing()
         self._hanging.reset(dynamics)
         self._window = MotionWindow()
@@ -82,6 +84,8 @@ class WholeBody:
         self.wrench = np.zeros(0)
 
     def command(self, target: KinematicTarget, dynamics: BodyState, dt: float) -> JointCommand:
+        if not self._ready:
+            self.reset(dynamics)
         self._listen(target, dynamics, dt)
         delay = self._settings.number("whole_body.delay_s")
         motion = self._window.moment(self._window.newest_s + self._since_s - delay)

@@ -66,7 +66,7 @@ def test_the_factor_and_its_solution_are_those_of_linear_algebra(tick):
     full = filled(tick.hessian)
     np.testing.assert_allclose(cholesky(tick.hessian), np.linalg.cholesky(full), rtol=1e-9, atol=1e-9)
     right = np.random.default_rng(2).normal(size=(48, 4))
-    np.testing.assert_allclose(solve_lower_both(tick.lower, right), np.linalg.solve(full, right), rtol=1e-7, atol=1e-10)
+    np.testing.assert_allclose(solve_lower_both(tick.lower, right.T.copy()).T, np.linalg.solve(full, right), rtol=1e-7, atol=1e-10)
 
 
 @pytest.mark.parametrize("feet", [0, 1, 2])
