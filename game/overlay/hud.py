@@ -79,7 +79,7 @@ class Hud:
         if view.status:
             width = ink.width(view.status, 0.95)
             ink.box(x, y, width + 2.5 * em, 1.75 * em, PILL, 0.5)
-            ink.dot(x + 0.95 * em, y + 0.87 * em, 0.28, GOOD)
+            ink.dot(x + 0.95 * em, y + 0.87 * em, 0.28, WARN if view.interrupted else GOOD)
             ink.text(x + 1.6 * em, y + 0.32 * em, view.status, INK, 0.95, shadow=False)
             y += 2.1 * em
         if shown.plots:
@@ -119,7 +119,7 @@ def _clear_of_panels(shown: Shown, size: tuple[float, float], em: float, reach: 
 def _badges(view: View) -> list[tuple[str, Rgba]]:
     badges: list[tuple[str, Rgba]] = []
     if view.interrupted:
-        badges.append((f"paused: {view.interrupted}", WARN))
+        badges.append(("paused until the sensor is back", WARN))
     elif view.paused:
         badges.append(("paused", ACCENT))
     elif view.time_s < 0:
