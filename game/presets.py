@@ -20,6 +20,7 @@ PRESETS: Mapping[str, Mapping[str, Value]] = {
         "ik.target_clamp_m": 0.15,
         "intake.smoothing": 1.0,
         "gate.on": False,
+        "control.rate_hz": "120",
     },
 }
 """What each preset sets; every other tunable of the method goes back to its declared default."""

@@ -107,8 +107,8 @@ TUNABLES: Mapping[str, Tunable] = _table(
         # balance
         Tunable(
             "balance.strategy",
-            "virtual-actuation",
-            "how the character keeps its feet: none, ankle (thesis 3.4.3), or virtual-actuation: ankles helped by hips and knees",
+            "whole-body",
+            "how the character keeps its feet: none, ankle (thesis 3.4.3), virtual-actuation: ankles helped by hips and knees, or whole-body: steps planned by the capture point, torques by optimisation",
             choices=("none", "ankle", "virtual-actuation", "whole-body"),
         ),
         Tunable("balance.w_com", 0.0, "COM target between above the COS (0) and the kinematic target's offset (1), Eq. 3.9", 0.0, 1.0),
@@ -126,7 +126,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("whole_body.spin_weight", 0.02, "weight of keeping angular momentum small", 0.0, 1.0),
         Tunable("whole_body.strength", 1.0, "scale of the torque limits", 0.2, 5.0),
         Tunable("whole_body.hold", 0.2, "share of a joint's inertia that damps it towards the planned velocity between control ticks", 0.0, 1.0),
-        Tunable("control.rate_hz", "120", "how often gains, gravity torque and balance are computed anew", unit="Hz", choices=("60", "120", "240", "480")),
+        Tunable("control.rate_hz", "60", "how often gains, gravity torque and balance are computed anew", unit="Hz", choices=("60", "120", "240", "480")),
         # physics
         Tunable("physics.step_s", 1.0 / 480.0, "physics time step; rounded to a whole number of steps in 1/60 s", 0.00001, 1.0 / 60.0, "s", log=True, restart=True),
         Tunable("physics.integrator", "discrete", "discrete, implicitfast or euler with stable PD, or explicit: the thesis's torques evaluated at the start of the step", choices=("discrete", "implicitfast", "euler", "explicit"), restart=True),

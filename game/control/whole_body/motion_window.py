@@ -56,6 +56,7 @@ class MotionWindow:
         self._turns = np.zeros((0, _TURNS, 4))
         self._places = np.zeros((0, _PLACES, 3))
         self._fit: tuple[Floats, Floats, Floats] | None = None
+        self._com_velocity = np.zeros(3)
 
     @property
     def newest_s(self) -> float:
@@ -78,6 +79,7 @@ class MotionWindow:
         keep = max(3, int(np.count_nonzero(self._times >= target.time_s - span_s - 1e-6)))
         self._times, self._turns, self._places = self._times[-keep:], self._turns[-keep:], self._places[-keep:]
         self._fit = _fit(self._times, self._turns, self._places)
+        self._com_velocity = _slope(self._times, self._places)
 
     def moment(self, time_s: float) -> Motion:
         """The motion at `time_s`, held within the window."""
@@ -89,10 +91,23 @@ class MotionWindow:
 
     def com_velocity(self) -> Floats:
         """(3,) m/s of the COM over the window, by a straight line: less noisy at its end than the parabola."""
-        times = self._times - self._times.mean()
-        if len(times) < 2:
-            return np.zeros(3)
-        return times @ self._places[:, _COM] / (times @ times)
+        return self._com_velocity
+
+
+@compiled
+def _slope(times: Floats, places: Floats) -> Floats:
+    """(3,) m/s of the COM's straight line through (n, m, 3) places."""
+    count = len(times)
+    middle = 0.0
+    for k in range(count):
+        middle += times[k] / count
+    out, total = np.zeros(3), 0.0
+    for k in range(count):
+        away = times[k] - middle
+        total += away * away
+        for axis in range(3):
+            out[axis] += away * places[k, _COM, axis]
+    return out / total if total > 0.0 else out
 
 
 @compiled
