@@ -1,0 +1,50 @@
+"""How far a human's joints go, as boxes of the rotation vector child in parent: x forward, y left, z up in the idle stance.
+
+Ranges in degrees: American Academy of Orthopaedic Surgeons' and American Medical Association's tables (as in Norkin & White, appendix A)
+for shoulder, elbow, wrist, trunk and neck; hip, knee and ankle after Soucie et al. 2011 (Haemophilia 17:500, men of 20 to 44) and the same
+tables. Four of them are wider than the joint itself, because the mapping (Eq. 3.1 of Zwennes 2014) gives no limb a twist about its length,
+so that the next joint has to show it: elbow and wrist bend about any axis across the forearm, the knee leans with a turned thigh, the
+ankle turns the foot out. They are estimates, wide enough for real recordings. A standing ankle bends further than one that is
+measured lying: 40 degrees, as in a deep lunge.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.characters.skeleton import JOINTS
+
+Floats = NDArray[np.float64]
+
+DEGREES: dict[str, tuple[tuple[float, float], ...]] = {
+    # side bending 35, forward 80 and back 25 to 30, turning 45
+    "spine": ((-40.0, 40.0), (-30.0, 85.0), (-45.0, 45.0)),
+    # side bending 45, nodding 50 and 60 back, turning 80
+    "neck": ((-45.0, 45.0), (-60.0, 50.0), (-80.0, 80.0)),
+    # across the body 75, sideways up 180; forward up 180, back 60; inward 70, outward 90
+    "shoulder": ((-75.0, 180.0), (-180.0, 60.0), (-70.0, 90.0)),
+    # bending 150; widened to every direction across the arm
+    "elbow": ((-120.0, 120.0), (-150.0, 60.0), (-80.0, 80.0)),
+    # bending 80 and 70, to the thumb 20, to the little finger 30; widened
+    "wrist": ((-80.0, 70.0), (-70.0, 70.0), (-10.0, 10.0)),
+    # across 30, sideways 45; forward 130, back 17 and a little of the pelvis; turning 45
+    "hip": ((-30.0, 50.0), (-130.0, 30.0), (-45.0, 45.0)),
+    # bending 150, over-stretching 3; sideways widened, the shank's own turning 15
+    "knee": ((-25.0, 25.0), (-3.0, 150.0), (-15.0, 15.0)),
+    # sole inward 35, outward 20; toes up 40 (standing), down 55; turned out and in: widened
+    "ankle": ((-35.0, 25.0), (-40.0, 55.0), (-40.0, 40.0)),
+}
+"""(minus, plus) about x, y, z of the joints of the left side and the middle."""
+
+
+def _ranges() -> tuple[Floats, Floats]:
+    low, high = np.empty((len(JOINTS), 3)), np.empty((len(JOINTS), 3))
+    for row, joint in enumerate(JOINTS):
+        name, _, side = joint.partition("_")
+        for axis, (minus, plus) in enumerate(DEGREES[name]):
+            # a mirror swaps the two ways to turn about the axes that lie in it
+            low[row, axis], high[row, axis] = (-plus, -minus) if side == "right" and axis != 1 else (minus, plus)
+    return np.radians(low), np.radians(high)
+
+
+LOW, HIGH = _ranges()
+"""(14, 3) rad each."""
