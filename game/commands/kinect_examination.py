@@ -49,7 +49,8 @@ class Examination:
     """All that was found out. fault, sentence: the sensor's last word; stall_s: the longest time this program itself stood still.
 
     frames: pictures of use that arrived; first_s: when the first came; listened_s: time from then on; queue_s: what the
-    transfers in flight bridge; libusb: which one, or None; sight: None without a picture.
+    transfers in flight bridge; libusb: which one, or None; sight: None without a picture;
+    turned: what came of asking for a tilt, in words.
     """
 
     host: HostFacts
@@ -68,6 +69,7 @@ class Examination:
     level: MotorState | None = None
     typical_calibration: bool = False
     sight: Sight | None = None
+    turned: str = ""
 
 
 class SteppedSensor(KinectSensor):
@@ -81,8 +83,13 @@ class SteppedSensor(KinectSensor):
         return super().poll()
 
 
-def examine(load: Callable[[], Any], clock: Clock, seconds: float, facts: Callable[[FoundKinect | None], HostFacts]) -> Examination:
-    """Listen to the first Kinect for so long, less where no waiting helps, and let go of it. `load` gives pyusb's backend."""
+def examine(
+    load: Callable[[], Any], clock: Clock, seconds: float, facts: Callable[[FoundKinect | None], HostFacts], tilt_deg: float | None = None
+) -> Examination:
+    """Listen to the first Kinect for so long, less where no waiting helps, and let go of it. `load` gives pyusb's backend.
+
+    tilt_deg: turn the head there first, degrees above the horizon, -27 to 27.
+    """
     libusb, found = look_at_bus(load)
     used = found.kinects[0] if found.kinects else None
     live = isinstance(clock, WallClock)
@@ -90,6 +97,7 @@ def examine(load: Callable[[], Any], clock: Clock, seconds: float, facts: Callab
     stream = SensorDepth(sensor)
     began = clock.now()
     looks: list[DepthFrame] = []
+    turned: str | None = "" if tilt_deg is None else None
     frames, first_s, hopeless_since, stall, level = 0, None, None, 0.0, None
     while (now := clock.now()) - began < seconds:
         for frame in stream.poll(0.0):
@@ -98,6 +106,8 @@ def examine(load: Callable[[], Any], clock: Clock, seconds: float, facts: Callab
             if not looks or frame.time_s - looks[-1].time_s >= LOOK_EVERY_S:
                 looks = [*looks[1 - KEPT_LOOKS :], frame]
         level = sensor.level or level
+        if turned is None and tilt_deg is not None and frames:
+            turned = _turn(sensor, tilt_deg)
         hopeless_since = (hopeless_since or now) if sensor.fault in HOPELESS else None
         if hopeless_since is not None and now - hopeless_since > GIVE_UP_S:
             break
@@ -111,7 +121,16 @@ def examine(load: Callable[[], Any], clock: Clock, seconds: float, facts: Callab
     return Examination(
         host, seconds, libusb, found, used, fault, sentence, counters, frames, None if first_s is None else first_s - began,
         0.0 if first_s is None else ended - first_s, stall, queue_s(sensor.options), level, sensor.calibration.is_typical, see(looks),
+        turned or "",
     )  # fmt: skip
+
+
+def _turn(sensor: KinectSensor, degrees: float) -> str:
+    try:
+        sensor.set_tilt(degrees)
+    except KinectError as fault:
+        return str(fault)
+    return f"Its motor was asked for {degrees:g} degrees and takes a few seconds."
 
 
 def look_at_bus(load: Callable[[], Any]) -> tuple[str | None, Found]:

@@ -168,31 +168,33 @@ def sight(seen: Sight) -> Finding:
 
 
 def tilt(seen: Examination) -> Finding:
+    turned = (seen.turned,) if seen.turned else ()
     where = seen.sight.floor if seen.sight is not None else None
     if seen.level is not None:
         pitch, roll, by = math.degrees(seen.level.pitch_rad), math.degrees(seen.level.roll_rad), "its accelerometer"
     elif where is not None:
         pitch, roll, by = math.degrees(math.atan2(where.c, where.b)), math.degrees(math.atan2(where.a, where.b)), "the floor"
     else:
-        return Finding(Mark.NOTE, "tilt", "How it is tilted cannot be told: it has no accelerometer for us, and no floor is seen.")
+        return Finding(Mark.NOTE, "tilt", "How it is tilted cannot be told: it has no accelerometer for us, and no floor is seen.", turned)
     looks = "level" if abs(pitch) < 0.5 else f"{abs(pitch):.0f} degrees {'up' if pitch > 0 else 'down'}"
     sentence = f"By {by} it looks {looks}"
     if abs(roll) > ASKEW_DEG:
-        return Finding(Mark.NOTE, "tilt", f"{sentence} and leans {abs(roll):.0f} degrees to its side.", ("Put it on something level.",))
-    return Finding(Mark.OK, "tilt", f"{sentence}.")
+        return Finding(
+            Mark.NOTE, "tilt", f"{sentence} and leans {abs(roll):.0f} degrees to its side.", (*turned, "Put it on something level.")
+        )
+    return Finding(Mark.OK, "tilt", f"{sentence}.", turned)
 
 
 def floor(seen: Examination, saw: Sight) -> Finding:
     if saw.floor is None:
-        up = seen.level is not None and math.degrees(seen.level.pitch_rad) > 3.0
-        first = (
-            "It looks up: tilt it down until the floor is in the picture."
-            if up
-            else "Tilt it down a little, and clear the floor before it."
-        )
+        why = f"{saw.floor_why[:1].upper()}{saw.floor_why[1:]}."
         if saw.share < LITTLE_SEEN:
-            first = "First see to it that it sees anything at all."
-        return Finding(Mark.WRONG, "floor", f"{saw.floor_why[:1].upper()}{saw.floor_why[1:]}.", (first,))
+            return Finding(Mark.WRONG, "floor", why, ("First see to it that it sees anything at all.",))
+        up = seen.level is not None and math.degrees(seen.level.pitch_rad) > 3.0
+        looks_up = "It looks up: tilt it down until the floor is in the picture."
+        return Finding(
+            Mark.WRONG, "floor", why, (looks_up if up else "Tilt it down a little, and clear the floor before it.", _how_to_tilt(seen))
+        )
     height = saw.floor.d
     sentence = f"The Kinect stands {height:.2f} m over the floor"
     if not LOW_M <= height <= HIGH_M:
@@ -200,6 +202,13 @@ def floor(seen: Examination, saw: Sight) -> Finding:
             Mark.NOTE, "floor", f"{sentence}.", (f"Put it {LOW_M:g} to {HIGH_M:g} m high, best just below or above the screen.",)
         )
     return Finding(Mark.OK, "floor", f"{sentence}.")
+
+
+def _how_to_tilt(seen: Examination) -> str:
+    """By its motor where that answers us: forcing the head by hand wears the gear."""
+    if seen.used is not None and seen.used.motor is not None:
+        return "Its motor does that: kinect doctor --tilt -5 (degrees above the horizon, here 5 below it)."
+    return "Its motor does not answer here: turn the head slowly by hand, or put something under its foot."
 
 
 def feet(saw: Sight) -> Finding:

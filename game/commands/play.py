@@ -23,7 +23,7 @@ UNASKED_SECONDS = 20.0
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--scene", choices=("mirror", "duel"), help="default: duel, or mirror where --input is a recording or a performer")
-    add("--input", default="auto", metavar="SPEC", help="clip:PATH, performer:NAME, puppet, script, kinect, kinect-replay:PATH or auto (default)")
+    add("--input", default="auto", metavar="SPEC", help="clip:PATH, performer:NAME, puppet, script, kinect, kinect-replay:PATH or auto")
     add("--character", default="original", metavar="NAME", help="original, human, human-boxes, low-com, asymmetric or a .toml file")
     add("--preset", choices=tuple(PRESETS), help="values for the whole method; default: default")
     add("--set", action="append", default=[], metavar="NAME=VALUE", dest="sets", help="set one tunable; may be given again")

@@ -8,7 +8,7 @@ from game.inputs.performer import FRAMES_PER_S
 from game.inputs.puppet import Puppet
 from kinect.body import BodyFrame, Floor
 from kinect.depth.depth_frame import DepthFrame
-from kinect.depth.depth_stream import DepthStream, RecordedDepth, SensorDepth, WiredDepth
+from kinect.depth.depth_stream import DepthStream, RecordedDepth, WiredDepth
 from kinect.depth.floor_guess import guessed_floor
 from kinect.depth.floor_watch import FloorWatch
 from kinect.depth.recording import open_depth_recording
@@ -100,8 +100,3 @@ def replay(path: str | Path) -> DepthInput:
 def replay_through_driver(path: str | Path) -> DepthInput:
     """The same, sent through packets, pyusb and the whole driver on a simulated libusb; raises DepthRecordingError."""
     return DepthInput(WiredDepth(open_depth_recording(path)))
-
-
-def attached_kinect() -> DepthInput:
-    """The Kinect that is, or will be, plugged in."""
-    return DepthInput(SensorDepth())

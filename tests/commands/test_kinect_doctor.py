@@ -1,6 +1,7 @@
 """The doctor of a Kinect: everything that can be wrong has its sentence and its remedy, and only a picture ends it with 0."""
 
 import subprocess
+import threading
 from pathlib import Path
 from typing import NamedTuple
 
@@ -8,18 +9,21 @@ import pytest
 
 from game.commands import BAD_INPUT, main
 from game.commands.kinect_doctor import as_text
-from game.commands.kinect_examination import Examination, Sight
+from game.commands.kinect_examination import Examination, Sight, examine
 from game.commands.kinect_findings import Finding, Mark, findings
 from game.commands.kinect_host import HostFacts
 from game.commands.kinect_sight import CutOff
 from game.commands.kinect_simulations import MEANINGS
 from kinect.body import Floor
+from kinect.usb.clock import WallClock
 from kinect.usb.counters import Counters
 from kinect.usb.discovery import Found, FoundKinect
 from kinect.usb.errors import Fault
 from kinect.usb.models import Model
 from kinect.usb.motor import MotorState
-from kinect.usb.simulated_faults import FAULTS
+from kinect.usb.simulated_clock import VirtualClock
+from kinect.usb.simulated_faults import FAULTS, simulate
+from kinect.usb.simulated_libusb import in_use
 from tests.door.the_door import ROOT, knock
 
 
@@ -59,7 +63,7 @@ SAID = {
     "sun": Expected(0, ("sight", "floor"), ("8% of the picture", "Most likely sunlight", "draw the curtains", "nearer than 0.5 m")),
     "too-near": Expected(0, ("sight", "floor"), ("0% of the picture", "Most likely something is nearer than 0.5 m", "Or sunlight")),
     "feet-out": Expected(0, ("feet",), ("Something 1.3 m away is cut off 0.4 m above the floor", "your feet are out of view", "step back")),
-    "tilted": Expected(0, ("floor",), ("20 degrees up", "No floor in view", "tilt it down until the floor is in the picture")),
+    "tilted": Expected(0, ("floor",), ("20 degrees up", "No floor in view", "tilt it down until the floor is in the picture", "--tilt -5")),
 }
 
 
@@ -110,12 +114,37 @@ def test_without_a_kinect_the_door_ends_with_1_and_soon(tmp_path: Path) -> None:
         (("--simulate", "gremlins"), "'gremlins'"),
         (("--seconds", "0"), "between 1 and 600"),
         (("--seconds", "nan"), "between 1 and 600"),
+        (("--tilt", "40"), "between -27 and 27"),
+        (("--tilt", "nan"), "between -27 and 27"),
     ],
 )
 def test_bad_input_is_one_sentence(words: tuple[str, ...], named: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["kinect", "doctor", *words]) == BAD_INPUT
     said = capsys.readouterr()
     assert said.out == "" and said.err.count("\n") == 1 and named in said.err
+
+
+def test_the_motor_of_a_1414_turns_the_head_when_asked() -> None:
+    clock = VirtualClock()
+    simulated = simulate("none", clock)
+    seen = examine(simulated.load, clock, 1.5, lambda _: HostFacts(), -5.0)
+    assert simulated.kinect.motor.half_degrees == -10 and "asked for -5 degrees" in as_text(findings(seen))
+
+
+def test_a_kinect_whose_motor_is_out_of_reach_says_so_when_asked(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["kinect", "doctor", "--simulate", "model-1473", "--tilt", "5", "--seconds", "2"]) == 0
+    tilt = capsys.readouterr().out.split("tilt      ")[1]
+    assert "behind firmware" in tilt
+
+
+def test_on_a_real_clock_it_listens_in_a_thread_and_lets_go_of_everything() -> None:
+    before, simulated = threading.active_count(), simulate("none")
+    seen = examine(simulated.load, WallClock(), 1.5, lambda used: HostFacts(holders=(used.place if used else "",)))
+    assert seen.frames > 15 and seen.first_s is not None and seen.first_s < 1.0
+    assert seen.sight is not None and seen.sight.floor is not None and seen.host.holders == ("bus 1, port 2.1",)
+    assert 0.0 < seen.stall_s < 1.0
+    assert threading.active_count() == before
+    assert in_use(simulated.host)["handles"] == in_use(simulated.host)["transfers"] == 0
 
 
 def test_every_subject_and_mark_of_a_line_is_explained_in_the_docs() -> None:
