@@ -40,7 +40,7 @@ class LiveKinect:
         if self._closed or sensor is None:
             return "The Kinect was switched off." if self._closed else "Looking for a Kinect."
         if sensor.state is not SensorState.STREAMING:
-            return sensor.status if self._newest is not None else f"{sensor.status} {NO_BODY}"
+            return sensor.status
         floor = self.floor
         return f"{sensor.status} {NO_BODY} {'No floor seen.' if floor is None else f'Floor {floor.d:.2f} m below.'}"
 

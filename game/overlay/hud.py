@@ -3,11 +3,14 @@
 from game.overlay.help_keys import HelpKeys
 from game.overlay.ink import Ink
 from game.overlay.layout import free_span
+from game.overlay.line_breaks import lines_within
 from game.overlay.style import ACCENT, COOL, FAINT, GOOD, INK, PILL, WARN, Rgba, alpha
 from game.overlay.toasts import Toasts
 from game.overlay.view import Shown, View
 
 BANNER_S = 2.5
+MIDDLE_EM = 6.0
+"""Half the width that score and upright time take in the middle of the top."""
 HINT = (("Tab", "tune"), ("F1", "keys"), ("Esc", "menu"))
 
 
@@ -30,7 +33,7 @@ class Hud:
         if not shown.hud:
             return
         self._draw_score(ink, view, shown, size)
-        self._draw_left(ink, view, shown)
+        self._draw_left(ink, view, shown, size[0] / 2 - MIDDLE_EM * ink.em)
         if self._banner is not None and not shown.menu:
             self._draw_banner(ink, view, size)
         self._help_keys.draw(ink, view, shown, size)
@@ -73,15 +76,17 @@ class Hud:
         ink.text(x + left + 0.5 * em, y + height / 2 - 0.62 * big * em, value, colour, big, ink.fonts.display, shadow=False)
         return y + height + 0.3 * em
 
-    def _draw_left(self, ink: Ink, view: View, shown: Shown) -> None:
+    def _draw_left(self, ink: Ink, view: View, shown: Shown, right: float) -> None:
         em = ink.em
         x = y = 0.9 * em
         if view.status:
-            width = ink.width(view.status, 0.95)
-            ink.box(x, y, width + 2.5 * em, 1.75 * em, PILL, 0.5)
+            lines = lines_within(view.status, max(right - x - 2.5 * em, 12.0 * em), lambda text: ink.width(text, 0.95))
+            width = max(ink.width(line, 0.95) for line in lines)
+            ink.box(x, y, width + 2.5 * em, (1.75 + 1.3 * (len(lines) - 1)) * em, PILL, 0.5)
             ink.dot(x + 0.95 * em, y + 0.87 * em, 0.28, WARN if view.interrupted else GOOD)
-            ink.text(x + 1.6 * em, y + 0.32 * em, view.status, INK, 0.95, shadow=False)
-            y += 2.1 * em
+            for k, line in enumerate(lines):
+                ink.text(x + 1.6 * em, y + (0.32 + 1.3 * k) * em, line, INK, 0.95, shadow=False)
+            y += (2.1 + 1.3 * (len(lines) - 1)) * em
         if shown.plots:
             return
         for toast in self.toasts.visible(view.now_s):
