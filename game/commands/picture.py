@@ -14,7 +14,7 @@ from game.tunables import Settings
 
 OUTPUT = Path("topple-output")
 MENU_MOTIONS = ("waving", "leaning", "bowing", "reaching", "boxing", "stepping", "balancing", "jump")
-MENU_INPUTS = ("auto", "script", *(f"performer:{motion}" for motion in MENU_MOTIONS))
+MENU_INPUTS = ("auto", "kinect", "script", *(f"performer:{motion}" for motion in MENU_MOTIONS))
 
 
 class Stage:

@@ -147,6 +147,21 @@ def test_opening_and_closing_leaves_no_thread_no_handle_and_the_interpreter_as_i
     assert in_use(simulation.host) == {"handles": 0, "transfers": 0, "references": 0} and misuse() == []
 
 
+def test_closed_while_it_opens_it_leaves_the_device_to_the_next() -> None:
+    """As when a scene is entered twice in a row."""
+    simulation = simulate("none")
+    before = threads()
+    for k in range(8):
+        source = live(simulation)
+        source.poll(0.0)
+        time.sleep(0.01 * k)
+        source.close()
+    source = live(simulation)
+    assert comes_true(source.depth, 3.0) is not None
+    source.close()
+    assert threads() == before and in_use(simulation.host)["handles"] == 0 and misuse() == []
+
+
 def test_of_two_sensors_the_last_to_end_puts_the_interpreter_back() -> None:
     interval = sys.getswitchinterval()
     hold_quick_switching()
