@@ -1,26 +1,27 @@
-"""How strong each joint is, and the torques that keep within it: limits stand inside the optimisation, not behind it."""
+"""The torques that keep within the strength of the joints: limits stand inside the optimisation, not behind it."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.characters.skeleton import JOINT_COUNT, JOINTS
+from game.characters.skeleton import JOINT_COUNT
 from game.compiled import compiled
 from game.control.whole_body.contact_wrenches import solve_wrenches
 from game.control.whole_body.inverse_dynamics import motion_and_torque, torque_of_wrench, wrench_cost
 
 Floats = NDArray[np.float64]
 
-_STRENGTH = {"spine": 300.0, "neck": 60.0, "shoulder": 120.0, "elbow": 80.0, "wrist": 20.0, "hip": 300.0, "knee": 300.0, "ankle": 150.0}
-TORQUE_LIMIT: Floats = np.repeat([_STRENGTH[name.split("_")[0]] for name in JOINTS], 3)
-"""(42,) N m of each axis at rest."""
-
 SLOW_RAD_S, FAST_RAD_S = 18.0, 28.0
 """Up to the first speed a joint has all its strength, at the second none to go faster."""
 
 _LEG_ROWS = [np.array([3 * j + axis for j in legs for axis in range(3)]) for legs in ((8, 9, 10), (11, 12, 13))]
-_HELD = {(): np.zeros(0, np.int64), (0,): _LEG_ROWS[0], (1,): _LEG_ROWS[1], (0, 1): np.concatenate(_LEG_ROWS)}
+_HELD: dict[tuple[int, ...], NDArray[np.int64]] = {
+    (): np.zeros(0, np.int64),
+    (0,): _LEG_ROWS[0],
+    (1,): _LEG_ROWS[1],
+    (0, 1): np.concatenate(_LEG_ROWS),
+}
 _NO_ROWS = {count: np.zeros((0, 6 * count)) for count in range(3)}
 _NONE = np.zeros(0)
 
@@ -42,13 +43,16 @@ class Problem:
 
 
 @compiled
-def limits_at(strength: Floats, velocity: Floats) -> tuple[Floats, Floats]:
-    """(low, high), (42,) each: a muscle that shortens fast has no force left, one that is stretched has all of it (Hill 1938)."""
-    low, high = np.empty(len(strength)), np.empty(len(strength))
-    for i in range(len(strength)):
-        high[i] = strength[i] * min(max((FAST_RAD_S - velocity[i]) / (FAST_RAD_S - SLOW_RAD_S), 0.0), 1.0)
-        low[i] = -strength[i] * min(max((FAST_RAD_S + velocity[i]) / (FAST_RAD_S - SLOW_RAD_S), 0.0), 1.0)
-    return low, high
+def limits_at(low: Floats, high: Floats, velocity: Floats) -> tuple[Floats, Floats]:
+    """Torques (42,) each that a joint of strength low and high (N m at rest) has left at a velocity (42,).
+
+    A muscle that shortens fast has no force left, one that is stretched has all of it (Hill 1938).
+    """
+    low_left, high_left = np.empty(len(low)), np.empty(len(high))
+    for i in range(len(low)):
+        high_left[i] = high[i] * min(max((FAST_RAD_S - velocity[i]) / (FAST_RAD_S - SLOW_RAD_S), 0.0), 1.0)
+        low_left[i] = low[i] * min(max((FAST_RAD_S + velocity[i]) / (FAST_RAD_S - SLOW_RAD_S), 0.0), 1.0)
+    return low_left, high_left
 
 
 def within_limits(problem: Problem, low: Floats, high: Floats, weight: Floats, inertia: Floats) -> tuple[Floats, Floats, Floats]:

@@ -100,21 +100,26 @@ def test_an_arm_that_is_short_is_swung_more_slowly_instead_of_being_cut_off(crou
 def test_a_muscle_that_shortens_fast_loses_its_force_and_one_being_stretched_keeps_it():
     strength = np.array([100.0, 50.0, 20.0])
     between = 0.5 * (SLOW_RAD_S + FAST_RAD_S)
-    low, high = limits_at(strength, np.array([between, -FAST_RAD_S, FAST_RAD_S + 5.0]))
+    low, high = limits_at(-strength, strength, np.array([between, -FAST_RAD_S, FAST_RAD_S + 5.0]))
     np.testing.assert_allclose(high, [50.0, 50.0, 0.0])
     np.testing.assert_allclose(low, [-100.0, 0.0, -20.0])
+
+
+def test_each_way_a_joint_has_the_strength_of_the_muscle_on_that_side():
+    low, high = limits_at(np.array([-200.0]), np.array([90.0]), np.array([0.5 * (SLOW_RAD_S + FAST_RAD_S)]))
+    assert low[0] == -200.0 and high[0] == pytest.approx(45.0)
 
 
 def test_a_slow_joint_has_all_its_strength_both_ways():
     strength = np.full(3, 80.0)
     for speed in (-SLOW_RAD_S, 0.0, SLOW_RAD_S):
-        low, high = limits_at(strength, np.full(3, speed))
+        low, high = limits_at(-strength, strength, np.full(3, speed))
         np.testing.assert_array_equal(high, strength)
         np.testing.assert_array_equal(low, -strength)
 
 
 def test_a_faster_joint_never_has_more_to_go_faster_with():
     speeds = np.linspace(-40.0, 40.0, 81)
-    low, high = limits_at(np.ones(81), speeds)
+    low, high = limits_at(-np.ones(81), np.ones(81), speeds)
     assert np.all(np.diff(high) <= 0.0) and np.all(np.diff(low) <= 0.0)
     assert np.all(low <= 0.0) and np.all(high >= 0.0)
