@@ -47,7 +47,7 @@ def test_a_pulled_plug_is_a_pause_and_its_length_is_kept(tmp_path: Path) -> None
     record(sensor, recorder, 3.0, lambda: host.clock.now() - began > 2.6)
     times = open_depth_recording(tmp_path / "out").times
     gaps = np.diff(times)
-    assert np.all(gaps > 0.0) and 0.5 < gaps.max() < 1.5 and np.sort(gaps)[-2] < 0.4
+    assert np.all(gaps > 0.0) and 0.5 < gaps.max() < 1.5 and np.median(gaps) < 0.1
     assert len(times) == recorder.frames_written and times[-1] > 1.5
     assert in_use(host)["handles"] == 0 and sensor.counters().unplugs == 1
 
