@@ -11,6 +11,7 @@ PRESETS: Mapping[str, Mapping[str, Value]] = {
         "pd.kp_hat": 800.0,
         "pd.ratio": "dynamic",
         "balance.strategy": "ankle",
+        "duel.strategy": "ankle",
         "balance.ankle_clamp_rad": 0.034,
         "balance.w_vel": 0.4,
         "balance.w_com": 0.0,

@@ -133,6 +133,12 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("physics.friction", 1.0, "Coulomb friction coefficient of soles and floor, Eq. 3.6", 0.05, 2.0),
         Tunable("physics.self_collision", False, "body parts of one character collide with each other", restart=True),
         # duel
+        Tunable(
+            "duel.strategy",
+            "virtual-actuation",
+            "how the two of a duel keep their feet: whole-body takes nearly every shove, so rounds end only with the others",
+            choices=("none", "ankle", "virtual-actuation", "whole-body"),
+        ),
         Tunable("duel.distance_m", 0.88, "how far apart the two stand, pelvis to pelvis", 0.4, 2.0, "m", restart=True),
         Tunable("duel.opponent_vigour", 0.9, "how often the opponent attacks and how much weight it puts in, at the start of a round", 0.0, 1.0),
         Tunable("duel.round_limit_s", 60.0, "a round that lasts longer is a draw", 5.0, 300.0, "s"),

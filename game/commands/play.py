@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--character", default="original", metavar="NAME", help="original, human, human-boxes, low-com, asymmetric or a .toml file")
     add("--preset", choices=tuple(PRESETS), help="values for the whole method; default: default")
     add("--set", action="append", default=[], metavar="NAME=VALUE", dest="sets", help="set one tunable; may be given again")
-    add("--balance", metavar="NAME", help="short for --set balance.strategy=NAME")
+    add("--balance", metavar="NAME", help="how characters keep their feet: sets balance.strategy and duel.strategy")
     add("--ik", metavar="NAME", help="short for --set ik.method=NAME")
     add("--headless", action="store_true", help="draw off-screen")
     add("--seconds", type=float, metavar="S", help="stop after so much simulated time")
@@ -112,6 +112,7 @@ def settings_from(arguments: argparse.Namespace) -> Settings:
             settings.set(name.strip(), value.strip())
         if arguments.balance:
             settings.set("balance.strategy", arguments.balance)
+            settings.set("duel.strategy", arguments.balance)
         if arguments.ik:
             settings.set("ik.method", arguments.ik)
     except TunableError as fault:

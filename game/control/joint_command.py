@@ -6,6 +6,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from game.characters.body_plan import BodyPlan
 from game.target.kinematic_target import KinematicTarget
 
 Floats = NDArray[np.float64]
@@ -41,6 +42,27 @@ class BodyState(Protocol):
     """(15, 3) centre of mass of each part with all that hangs on it."""
     subtree_mass: Floats
     """(15,)"""
+    plan: BodyPlan
+
+    @property
+    def joint_rotation(self) -> Floats:
+        """(14, 4) child in parent frame."""
+        ...
+
+    @property
+    def velocity(self) -> Floats:
+        """(48,) root linear (world), root angular (root frame), joints (child frames)."""
+        ...
+
+    @property
+    def equations(self) -> tuple[Floats, Floats]:
+        """Mass matrix (48, 48) and bias forces (48,) of the present state."""
+        ...
+
+    @property
+    def held(self) -> bool:
+        """Its root is held by the start-up hang."""
+        ...
 
     @property
     def com_velocity(self) -> Floats:

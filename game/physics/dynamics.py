@@ -50,7 +50,7 @@ class BodyDynamics:
         self.box_centre: Floats = self._box_centre.copy()
         self.subtree_com: Floats = self._subtree_com.copy()
         self.com: Floats = self.subtree_com[0]
-        for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian", "equations"):
+        for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian", "_equations"):
             self.__dict__.pop(name, None)
 
     @property
@@ -78,9 +78,13 @@ class BodyDynamics:
         """(14, 4) child in parent frame."""
         return self._position[7:].reshape(-1, 4).copy()
 
-    @cached_property
+    @property
     def equations(self) -> tuple[Floats, Floats]:
-        """Mass matrix (48, 48) and bias forces (48,) of the present state."""
+        """Mass matrix (48, 48) and bias forces (48,) of the state at the last refresh."""
+        return self._equations
+
+    @cached_property
+    def _equations(self) -> tuple[Floats, Floats]:
         model, data = self._model, self._data
         mj.mj_crb(model, data)
         mj.mj_comVel(model, data)

@@ -54,8 +54,10 @@ class Duel(PlayedScene):
         partner = SparringPartner(self._seed + 1)
         self._partner = partner
         half = 0.5 * self._settings.number("duel.distance_m")
-        player = Fighter(0, self._plan, self._opens, self._settings, mirrored=False, place=(-half, 0.0))
-        rival = Fighter(1, self._plan, lambda: partner, self._settings, mirrored=False, place=(half, 0.0), facing_rad=np.pi)
+        player = Fighter(0, self._plan, self._opens, self._settings, mirrored=False, place=(-half, 0.0), strategy="duel.strategy")
+        rival = Fighter(
+            1, self._plan, lambda: partner, self._settings, mirrored=False, place=(half, 0.0), facing_rad=np.pi, strategy="duel.strategy"
+        )
         self.simulation = Simulation([player, rival], self._settings)
         self.rounds: list[Round] = []
         self._aftermath = 0

@@ -33,7 +33,8 @@ class NoBodyError(ValueError):
 class Fighter:
     """Character `index` of a world, moved by what a source sees. Times are the source's own.
 
-    place: where it stands, world x, y (m); facing_rad: turned about z from where the player faces.
+    place: where it stands, world x, y (m); facing_rad: turned about z from where the player faces;
+    strategy: the tunable that names how it keeps its feet.
     """
 
     def __init__(
@@ -46,13 +47,15 @@ class Fighter:
         mirrored: bool,
         place: tuple[float, float] = (0.0, 0.0),
         facing_rad: float = 0.0,
+        strategy: str = "balance.strategy",
     ) -> None:
         self.index, self.plan, self._settings = index, plan, settings
         self._opens, self.mirrored = opens, mirrored
         self._place, self.facing_rad = np.array(place), facing_rad
         self.source = opens()
         self.intake = Intake(settings, mirrored=mirrored)
-        self.strategy_name = settings.choice("balance.strategy")
+        self._strategy_tunable = strategy
+        self.strategy_name = settings.choice(strategy)
         self.strategy: BalanceStrategy = STRATEGIES[self.strategy_name](settings)
         self.frame: WorldFrame | None = None
         self.first_frame, self.calibration = self._get_acquainted()
@@ -109,7 +112,7 @@ class Fighter:
 
     def control(self, world: World, dt: float) -> None:
         """Hand the world a new joint command."""
-        wanted = self._settings.choice("balance.strategy")
+        wanted = self._settings.choice(self._strategy_tunable)
         body = world.characters[self.index]
         if wanted != self.strategy_name:
             self.strategy_name, self.strategy = wanted, STRATEGIES[wanted](self._settings)

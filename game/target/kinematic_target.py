@@ -90,7 +90,8 @@ class TargetTracker:
         if self._last is not None and time_s > self._last.time_s:
             velocity = _turned_in_child(self._last.joint_rotation, rotations) / (time_s - self._last.time_s)
         com = pose.centre_of_mass(self._plan)
-        target = KinematicTarget(time_s, mapped.root_position, mapped.root_orientation, rotations, velocity, pose, com, raw_mapped, contacts)
+        root = mapped.root_position, mapped.root_orientation
+        target = KinematicTarget(time_s, *root, rotations, velocity, pose, com, raw_mapped, contacts)
         self._last = target
         return target
 

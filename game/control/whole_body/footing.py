@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from game.control.whole_body.capture_point import escape, predicted
 from game.control.whole_body.contact_states import FootState, Phase
-from game.control.whole_body.support_polygon import distance_inside, hull_of_soles, nearest_inside, sole_corners
+from game.control.whole_body.sole import Sole, polygon
+from game.control.whole_body.support_polygon import distance_inside, nearest_inside, sole_corners
 
 Floats = NDArray[np.float64]
 
@@ -23,29 +24,6 @@ NEAR_FLOOR_M = 0.08
 STEP_S = 0.26
 RETURN_S = 0.4
 LOOK_AHEAD_S = 0.1
-
-
-@dataclass(frozen=True)
-class Sole:
-    """A foot as it is: centre of its sole (3,) and yaw, ankle (3,), whether its lowest corner touches; half extents (m)."""
-
-    centre: Floats
-    yaw: float
-    ankle: Floats
-    touches: bool
-    half_length: float
-    half_width: float
-
-    def corners(self, margin_m: float) -> Floats:
-        """(4, 2) less a margin all round."""
-        return sole_corners(self.centre, self.yaw, max(self.half_length - margin_m, 0.005), max(self.half_width - margin_m, 0.005))
-
-
-def polygon(soles: tuple[Sole, Sole], left: bool, right: bool, margin_m: float) -> Floats:
-    """(n, 2) the hull of one sole or of both, less a margin all round each."""
-    a, b = soles
-    length, width = max(a.half_length - margin_m, 0.005), max(a.half_width - margin_m, 0.005)
-    return hull_of_soles(a.centre, a.yaw, b.centre, b.yaw, left, right, length, width)
 
 
 @dataclass(frozen=True)
@@ -71,9 +49,7 @@ class Footing:
         self.intended: int | None = None
         """The foot that is about to carry all, None for both."""
 
-    def update(
-        self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, calm: bool, taking_off: bool, dt: float
-    ) -> None:
+    def update(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, calm: bool, taking_off: bool, dt: float) -> None:
         for foot in self.feet:
             foot.time_s += dt
         self._land(soles, wish)
@@ -159,8 +135,8 @@ class Footing:
         standing = [side for side in range(2) if self.feet[side].stands]
         if not standing:
             return
-        counts = [foot.stands or (foot.phase is Phase.SWING and not wish.up[side] and soles[side].centre[2] < NEAR_FLOOR_M) for side, foot in enumerate(self.feet)]
-        outside, ahead = escape(polygon(soles, counts[0], counts[1], 0.0), xi, frequency, LOOK_AHEAD_S)
+        left, right = (foot.stands or self._comes_down(side, soles, wish) for side, foot in enumerate(self.feet))
+        outside, ahead = escape(polygon(soles, left, right, 0.0), xi, frequency, LOOK_AHEAD_S)
         self.outside_s = self.outside_s + dt if outside > 0.0 else 0.0
         if not (outside > 0.025 or ahead > 0.05 or self.outside_s > 0.12):
             self._retarget(soles, xi, frequency, wish)
@@ -174,6 +150,9 @@ class Footing:
                 self._retarget(soles, xi, frequency, wish)
             return
         self._step(_saving_foot(soles, xi), soles, xi, frequency, wish)
+
+    def _comes_down(self, side: int, soles: tuple[Sole, Sole], wish: Wish) -> bool:
+        return self.feet[side].phase is Phase.SWING and not wish.up[side] and bool(soles[side].centre[2] < NEAR_FLOOR_M)
 
     def _retarget(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> None:
         """A recovery step under way goes where the capture point will be by then."""

@@ -150,9 +150,7 @@ def motion_and_torque(
 
 
 @compiled
-def torque_of_wrench(
-    rows: NDArray[np.int64], response: Floats, schur_inverse: Floats, mass: Floats, jacobian: Floats
-) -> Floats:
+def torque_of_wrench(rows: NDArray[np.int64], response: Floats, schur_inverse: Floats, mass: Floats, jacobian: Floats) -> Floats:
     """(k, n): how the torques of joint rows `rows` (k,) answer to the wrenches, accelerations included."""
     count = len(jacobian)
     out = np.zeros((len(rows), count))

@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation_compiled as one
 from game.characters.skeleton import DOF_COUNT
 from game.compiled import compiled
 from game.control.whole_body.inverse_dynamics import add_task

@@ -1,0 +1,65 @@
+"""How high the COM should be: at the player's height on the floor, after him in a jump, and softly down at the landing."""
+
+import math
+
+from game.control.joint_command import BodyState
+from game.control.whole_body.footing import Footing
+from game.control.whole_body.motion_window import Motion, MotionWindow
+from game.control.whole_body.player_stance import PlayerStance
+from game.control.whole_body.sole import leg_reach
+
+LEAST_LEAP_M = 0.06
+"""A player who rises with a swing that would carry him this far above standing is about to jump."""
+
+HIGHEST_LEAP_M = 0.4
+"""Nobody is followed higher than that."""
+
+STRAIGHT = 0.98
+"""Reach of a leg that has nothing more to push with."""
+
+RISING_M_S, PUSHING_M_S = 0.35, 0.6
+LANDING_S = 0.6
+LOWEST, HIGHEST = -8.0, 25.0
+"""m/s^2 the COM may be asked for."""
+
+
+def leap_speed(window: MotionWindow, player: PlayerStance, body: BodyState) -> float:
+    """m/s upwards that would carry the COM as high as the player's is going, by the newest frames; 0 where nobody leaps."""
+    newest = window.moment(window.newest_s)
+    rise = max(float(newest.velocity[3, 2]), 0.0)
+    apex = player.place(newest.place[3])[2] + rise * rise / (2.0 * body.gravity)
+    standing = body.plan.idle_com_height
+    if not player.flight and apex < standing + LEAST_LEAP_M:
+        return 0.0
+    return math.sqrt(2.0 * body.gravity * max(min(apex, standing + HIGHEST_LEAP_M) - body.com[2], 0.0))
+
+
+def taking_off(window: MotionWindow, player: PlayerStance, body: BodyState, load_n: float) -> bool:
+    """The COM rises on straight legs, or fast enough on unloaded feet: the floor has nothing more to give."""
+    speed = body.com_velocity[2]
+    if speed < RISING_M_S:
+        return False
+    if not any(body.foot_contact) or (speed > PUSHING_M_S and max(leg_reach(body, side) for side in range(2)) > STRAIGHT):
+        return True
+    unloaded = load_n < 0.08 * body.subtree_mass[0] * body.gravity
+    return player.flight and unloaded and speed > leap_speed(window, player, body) - 0.1
+
+
+class ComHeight:
+    """Remembers a landing until it is over."""
+
+    def __init__(self) -> None:
+        self._landing = False
+
+    def acceleration(self, motion: Motion, window: MotionWindow, player: PlayerStance, footing: Footing, body: BodyState) -> float:
+        """m/s^2 upwards that the COM is asked for."""
+        height, speed = player.place(motion.place[3])[2], body.com_velocity[2]
+        if footing.landed_s < LANDING_S:
+            self._landing = (self._landing or footing.landed_s < 0.02) and height > body.com[2]
+            if self._landing:
+                # not after the player up into the air again: soften the landing until he comes down too
+                return min(max(-12.0 * speed, -5.0), 9.0)
+        wanted = 100.0 * (height - body.com[2]) + 20.0 * (motion.velocity[3, 2] - speed) + motion.acceleration[3, 2]
+        if motion.velocity[3, 2] > 0.3:
+            wanted = max(wanted, 30.0 * (leap_speed(window, player, body) - speed))
+        return min(max(wanted, LOWEST), HIGHEST)

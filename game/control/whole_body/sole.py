@@ -1,0 +1,60 @@
+"""A foot as the planner sees it: a flat rectangle somewhere on or above the floor."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.characters.skeleton import FEET
+from game.control.joint_command import BodyState
+from game.control.whole_body.leg_kinematics import LEG_PARTS
+from game.control.whole_body.support_polygon import hull_of_soles, sole_corners
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Sole:
+    """A foot as it is: centre of its sole (3,) and yaw, ankle (3,), whether its lowest corner touches; half extents (m)."""
+
+    centre: Floats
+    yaw: float
+    ankle: Floats
+    touches: bool
+    half_length: float
+    half_width: float
+
+    def corners(self, margin_m: float) -> Floats:
+        """(4, 2) less a margin all round."""
+        return sole_corners(self.centre, self.yaw, max(self.half_length - margin_m, 0.005), max(self.half_width - margin_m, 0.005))
+
+
+def polygon(soles: tuple[Sole, Sole], left: bool, right: bool, margin_m: float) -> Floats:
+    """(n, 2) the hull of one sole or of both, less a margin all round each."""
+    a, b = soles
+    length, width = max(a.half_length - margin_m, 0.005), max(a.half_width - margin_m, 0.005)
+    return hull_of_soles(a.centre, a.yaw, b.centre, b.yaw, left, right, length, width)
+
+
+def sole_of(body: BodyState, side: int) -> Sole:
+    part = FEET[side]
+    length, width, height = body.plan.foot_half
+    turn = body.turn[part]
+    centre, yaw = body.box_centre[part] - height * turn[:, 2], math.atan2(turn[1, 0], turn[0, 0])
+    return Sole(centre, yaw, body.joint[part], body.foot_contact[side], length, width)
+
+
+def ahead_of_ankle(body: BodyState, yaw: float) -> Floats:
+    """(2,) from the ankle to the centre of the sole of a flat foot."""
+    offset = body.plan.centre_offset[FEET[0], 0]
+    return np.array([offset * math.cos(yaw), offset * math.sin(yaw)])
+
+
+def leg_reach(body: BodyState, side: int) -> float:
+    """Distance from hip to ankle over the length of the straight leg."""
+    thigh, shank, foot = LEG_PARTS[side]
+    bones = body.plan.joint_offset
+    length = math.sqrt(bones[shank] @ bones[shank]) + math.sqrt(bones[foot] @ bones[foot])
+    way = body.joint[thigh] - body.joint[foot]
+    return math.sqrt(way @ way) / length
