@@ -1,0 +1,21 @@
+"""How firmly joints are held to their planned speed between two ticks: no firmer than their strength has room for."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.compiled import compiled
+
+Floats = NDArray[np.float64]
+
+SPARE_RAD_S = 5.0
+"""So far off its planned speed a joint may be thrown before the hold and the torque together take all its strength."""
+
+
+@compiled
+def hold_damping(wanted: Floats, torque: Floats, low: Floats, high: Floats) -> Floats:
+    """(42,) N m s/rad: `wanted` (42,), less where torque (42,) leaves little room between low and high (42,); none where it leaves none."""
+    out = np.empty(len(wanted))
+    for i in range(len(wanted)):
+        room = max(min(high[i] - torque[i], torque[i] - low[i]), 0.0)
+        out[i] = min(wanted[i], room / SPARE_RAD_S)
+    return out
