@@ -34,7 +34,7 @@ class FloorWatch:
         """The plane in the sensor frame, or None while no floor was seen."""
         if not self._found:
             return None
-        a, b, c, d = np.median(self._found, axis=0).tolist()
+        a, b, c, d = np.median(np.array(self._found), axis=0).tolist()
         length = math.sqrt(a * a + b * b + c * c)
         return Floor(a / length, b / length, c / length, d / length)
 

@@ -15,7 +15,9 @@ from game.control.whole_body.capture_point import capture_point, natural_frequen
 from game.control.whole_body.contact_wrenches import cone_rows
 from game.control.whole_body.foot_goals import flight_task, foot_task, wish_of
 from game.control.whole_body.footing import PRESSURE_MARGIN_M, Footing
+from game.control.whole_body.hold_damping import hold_damping
 from game.control.whole_body.inverse_dynamics import eliminate
+from game.control.whole_body.joint_limits import soft_limits
 from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration
 from game.control.whole_body.leap import ComHeight, taking_off
 from game.control.whole_body.leg_kinematics import sole_motion
@@ -140,7 +142,7 @@ class WholeBody:
         standing = tuple(side for side in range(2) if feet[side].stands and soles[side].touches)
         strength = settings.number("whole_body.strength") * self._strength
         low, high = limits_at(strength[0], strength[1], velocity[6:])
-        weight = _JOINT_WEIGHT[standing]
+        weight = _JOINT_WEIGHT[standing].copy()
         hessian, gradient = self._joint_tasks(motion, body, velocity, weight, 0.7 * np.maximum(-strength[0], strength[1]) / inertia)
         rows = []
         for side, sole in enumerate(soles):
@@ -165,9 +167,9 @@ class WholeBody:
         problem = Problem(gradient, lower, response, schur_inverse, mass, bias, stacked, price, cone, standing)
         self.torque, acceleration, self.wrench = within_limits(problem, low, high, weight, inertia)
         self.com_target[2] = self._player.place(motion.place[3])[2]
-        damping = settings.number("whole_body.hold") * inertia / dt
+        damping = hold_damping(settings.number("whole_body.hold") * inertia / dt, self.torque, low, high)
         # the velocity that the damping meets in the middle of the steps it acts in
-        reference = velocity[6:] + 0.625 * dt * acceleration[6:]
+        reference = velocity[6:] + 0.56 * dt * acceleration[6:]
         return JointCommand(body.joint_rotation, reference, _NO_STIFFNESS, damping, self.torque)
 
     def _joint_tasks(self, motion: Motion, body: BodyState, velocity: Floats, weight: Floats, largest: Floats) -> tuple[Floats, Floats]:
@@ -176,6 +178,7 @@ class WholeBody:
             body.joint_rotation, velocity[6:], motion.joint, motion.spin[:JOINT_COUNT], motion.spin_rate[:JOINT_COUNT],
             settings.number("whole_body.pose_stiffness"), settings.number("whole_body.pose_damping"), largest,
         )  # fmt: skip
+        soft_limits(body.joint_rotation, velocity[6:], weight, goal)
         upright, spin = self._player.orientation(motion.root), motion.spin[JOINT_COUNT]
         root = turn_acceleration(body.orientation[0], velocity[3:6], upright, spin, 200.0, 26.0, 60.0)
         return diagonal_tasks(weight, goal, settings.number("whole_body.pelvis_weight"), root)
