@@ -101,9 +101,9 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("ik.pose_weight", 1.0, "w of null-space pose tracking, Eq. 3.5", 0.0, 1.0),
         Tunable("ik.target_clamp_m", 0.15, "longest step of an end-effector towards its target in one frame (Buss & Kim 2005)", 0.01, 1.0, "m"),
         # PD control
-        Tunable("pd.kp_hat", 800.0, "stiffness of the first spine axis; all others follow by their ratio, Eq. 3.7 and 3.8", 100.0, 3000.0, "N m/rad"),
-        Tunable("pd.ratio", "dynamic", "gain ratios between the axes: dynamic (Eq. 3.8, from the pose) or manual (fixed)", choices=("dynamic", "manual")),
-        Tunable("pd.gravity_feedforward", True, "add the torque that holds each joint against gravity, ankles left out"),
+        Tunable("pd.kp_hat", 800.0, "stiffness of the first spine axis; all others follow by their ratio, Eq. 3.7 and 3.8 (not in whole-body)", 100.0, 3000.0, "N m/rad"),
+        Tunable("pd.ratio", "dynamic", "gain ratios between the axes: dynamic (Eq. 3.8, from the pose) or manual (fixed) (not in whole-body)", choices=("dynamic", "manual")),
+        Tunable("pd.gravity_feedforward", True, "add the torque that holds each joint against gravity, ankles left out (not in whole-body)"),
         # balance
         Tunable(
             "balance.strategy",
@@ -111,9 +111,9 @@ TUNABLES: Mapping[str, Tunable] = _table(
             "how the character keeps its feet: none, ankle (thesis 3.4.3), virtual-actuation: ankles helped by hips and knees, or whole-body: steps planned by the capture point, torques by optimisation",
             choices=("none", "ankle", "virtual-actuation", "whole-body"),
         ),
-        Tunable("balance.w_com", 0.0, "COM target between above the COS (0) and the kinematic target's offset (1), Eq. 3.9", 0.0, 1.0),
-        Tunable("balance.w_vel", 0.4, "weight of the COM velocity compensation, Eq. 3.10 and 3.11", 0.0, 1.0, "s"),
-        Tunable("balance.ankle_clamp_rad", 0.1, "largest ankle error handed to the PD law, thesis 3.4.3", 0.005, 0.5, "rad"),
+        Tunable("balance.w_com", 0.0, "COM target between above the COS (0) and the kinematic target's offset (1), Eq. 3.9 (not in whole-body)", 0.0, 1.0),
+        Tunable("balance.w_vel", 0.4, "weight of the COM velocity compensation, Eq. 3.10 and 3.11 (not in whole-body)", 0.0, 1.0, "s"),
+        Tunable("balance.ankle_clamp_rad", 0.1, "largest ankle error handed to the PD law, thesis 3.4.3 (not in whole-body)", 0.005, 0.5, "rad"),
         Tunable("balance.com_stiffness", 20.0, "acceleration of the COM per metre off its place over the COS (virtual-actuation)", 0.0, 100.0, "1/s^2"),
         Tunable("balance.com_damping", 8.0, "acceleration of the COM against its velocity (virtual-actuation)", 0.0, 30.0, "1/s"),
         Tunable("balance.pelvis_stiffness", 600.0, "torque of the standing hips per radian the pelvis is off its target (virtual-actuation)", 0.0, 3000.0, "N m/rad"),

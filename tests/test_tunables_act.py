@@ -47,11 +47,16 @@ def seen_by_a_kinect(motion: str, seconds: float, *others: tuple[str, Value]) ->
     return Context(spec=f"performer:{motion}", others=(("sensor.noise", 1.0), *others), seconds=seconds, turned_s=-0.9)
 
 
+BY_ANKLES = (("balance.strategy", "virtual-actuation"),)
 STEPPING, BOWING = seen_by_a_kinect("stepping", 2.4), seen_by_a_kinect("bowing", 2.2)
 CONTEXTS: Mapping[str, Context] = {
     "intake.jump_limit_m": LEAPING,
     "ik.target_clamp_m": LEAPING,
-    "balance.ankle_clamp_rad": LEAPING,
+    "balance.ankle_clamp_rad": Context(spec="clip:{clip}", others=(("balance.ankle_clamp_rad", 0.02), *BY_ANKLES)),
+    # what the PD law and the older strategies read; whole-body has tunables of its own
+    **dict.fromkeys(("pd.kp_hat", "pd.ratio", "pd.gravity_feedforward", "balance.w_com", "balance.w_vel"), Context(others=BY_ANKLES)),
+    **dict.fromkeys(("balance.com_stiffness", "balance.com_damping"), Context(others=BY_ANKLES)),
+    **dict.fromkeys(("balance.pelvis_stiffness", "balance.pelvis_damping"), Context(others=BY_ANKLES)),
     **dict.fromkeys(("gate.floor_time_s", "gate.lock", "gate.plant_time_s"), STEPPING),
     **dict.fromkeys(("gate.fade_time_s", "gate.on", "gate.buffer_s"), STEPPING),
     "gate.up_m": seen_by_a_kinect("stepping", 3.6, ("gate.up_m", 0.08), ("gate.foot_speed_m_s", 3.0)),
@@ -65,7 +70,8 @@ CONTEXTS: Mapping[str, Context] = {
     "gate.tilt_rad_s": seen_by_a_kinect("bowing", 2.2, ("gate.tilt_rad_s", 1.0)),
     # a body of ordinary strength boxes without using all of it
     "whole_body.strength": Context(others=(("whole_body.strength", 0.5),)),
-    "physics.self_collision": Context(spec="clip:{clip}", others=(("intake.smoothing", 0.0),)),
+    "physics.self_collision": Context(spec="clip:{clip}", others=(("intake.smoothing", 0.0), *BY_ANKLES)),
+    "duel.strategy": Context("duel", "script", seconds=0.5),
     "duel.distance_m": Context("duel", "script", seconds=0.1),
     # the opponent makes its first plan while it still hangs
     "duel.opponent_vigour": Context("duel", "script", seconds=2.0, turned_s=-0.5),
