@@ -33,5 +33,10 @@ def test_compiling_is_announced_once_and_loading_is_not(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_after_the_warm_up_no_play_has_anything_left_to_compile(tmp_path: Path) -> None:
     assert python(tmp_path, "-m", "game.warm_up") == LINE
-    for options in (["--scene", "duel", "--input", "script"], ["--preset", "thesis", "--input", "performer:boxing"], ["--ik", "none"]):
+    for options in (
+        ["--scene", "duel", "--input", "script"],
+        ["--preset", "thesis", "--input", "performer:boxing"],
+        ["--ik", "none"],
+        ["--input", "performer:stepping", "--seconds", "3"],
+    ):
         assert python(tmp_path, *PLAY, *options) == ""
