@@ -1,13 +1,11 @@
 """A Kinect that is, or will be, plugged in: depth pictures and the floor, and a stand-in until bodies are tracked."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from game.inputs.kinect_live_floor import FloorSeeker
 from game.inputs.kinect_live_switching import hold_quick_switching, let_go_of_quick_switching
 from game.inputs.kinect_replay import NO_BODY
-from game.inputs.performer import FRAMES_PER_S
-from game.inputs.puppet import Puppet
+from game.inputs.stand_in import StandIn
 from kinect.body import BodyFrame, Floor
 from kinect.depth.depth_frame import DepthFrame
 from kinect.depth.depth_stream import SensorDepth
@@ -28,8 +26,7 @@ class LiveKinect:
         self._sensor: KinectSensor | None = None
         self._stream: SensorDepth | None = None
         self._seeker: FloorSeeker | None = None
-        self._standing = Puppet().poll(0.0)[0]
-        self._frames_given = 0
+        self._stand_in = StandIn()
         self._newest: DepthFrame | None = None
         self._closed = False
 
@@ -68,14 +65,9 @@ class LiveKinect:
         return "no floor was looked for yet" if self._seeker is None else self._seeker.why
 
     def poll(self, until_s: float) -> list[BodyFrame]:
-        """The stand-in's frames up to until_s, for it stands while nobody is tracked."""
+        """The stand-in's frames up to until_s, over the floor that was found: it stands while nobody is tracked."""
         self._pick_up()
-        frames: list[BodyFrame] = []
-        while not self._closed and self._frames_given / FRAMES_PER_S <= until_s + 1e-9:
-            time_s = self._frames_given / FRAMES_PER_S
-            frames.append(replace(self._standing, time_s=time_s, positions=self._standing.positions.copy()))
-            self._frames_given += 1
-        return frames
+        return [] if self._closed else self._stand_in.poll(until_s, self.floor)
 
     def depth(self) -> DepthFrame | None:
         """The newest depth frame, None before the first."""

@@ -1,11 +1,9 @@
 """A Kinect without body tracking: depth pictures and the floor are there, and a stand-in stands quietly where the body will be."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from game.inputs.performer import FRAMES_PER_S
-from game.inputs.puppet import Puppet
+from game.inputs.stand_in import StandIn
 from kinect.body import BodyFrame, Floor
 from kinect.depth.depth_frame import DepthFrame
 from kinect.depth.depth_stream import DepthStream, RecordedDepth, WiredDepth
@@ -25,8 +23,7 @@ class DepthInput:
 
     def __init__(self, stream: DepthStream) -> None:
         self._stream = stream
-        self._standing = Puppet().poll(0.0)[0]
-        self._frames_given = 0
+        self._stand_in = StandIn()
         self._closed = False
         self._watch = FloorWatch()
         self._until_s = 0.0
@@ -61,16 +58,11 @@ class DepthInput:
         return self._watch.floor or self._watch.hint or self._guess
 
     def poll(self, until_s: float) -> list[BodyFrame]:
-        """The stand-in's frames up to until_s, for it stands while nobody is tracked."""
+        """The stand-in's frames up to until_s, over the floor that was found: it stands while nobody is tracked."""
         length = self._stream.length_s
         self._until_s = max(self._until_s, until_s)
         last = until_s if length is None else min(until_s, length)
-        frames: list[BodyFrame] = []
-        while not self._closed and self._frames_given / FRAMES_PER_S <= last + 1e-9:
-            time_s = self._frames_given / FRAMES_PER_S
-            frames.append(replace(self._standing, time_s=time_s, positions=self._standing.positions.copy()))
-            self._frames_given += 1
-        return frames
+        return [] if self._closed else self._stand_in.poll(last, self._watch.floor)
 
     def depth(self) -> DepthFrame | None:
         """The newest depth frame of the time last polled for, None before the first."""

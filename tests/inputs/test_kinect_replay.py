@@ -85,12 +85,12 @@ def test_whoever_asks_for_depth_finds_it_inside_a_wrapped_source() -> None:
 def test_a_body_measured_over_the_found_floor_stands_upright_on_the_room_s() -> None:
     """The plane goes into a BodyFrame, and the intake's levelling takes out pitch, roll and height of the sensor."""
     source = input_of(SEEN, replace(SEEN, time_s=1.0))
-    source.poll(0.0)
+    first = source.poll(0.0)[-1]  # over the stand-in's own level floor
     source.depth()
     floor = source.floor
     assert floor is not None
-    standing = source.poll(0.5)[-1].positions  # over the stand-in's own level floor
-    own = source.poll(0.6)[-1].floor
+    assert source.poll(0.5)[-1].floor == floor, "every frame carries the plane once it is found"
+    standing, own = first.positions, first.floor
     assert own is not None
     in_room = standing + np.array([0.0, own.d, 0.0])
     tilted = (in_room - np.array([0.0, STAND.height_m, 0.0])) @ STAND.to_room()
