@@ -19,3 +19,20 @@ def hold_damping(wanted: Floats, torque: Floats, low: Floats, high: Floats) -> F
         room = max(min(high[i] - torque[i], torque[i] - low[i]), 0.0)
         out[i] = min(wanted[i], room / SPARE_RAD_S)
     return out
+
+
+LARGEST_CHANGE_RAD_S, FASTEST_RAD_S = 6.0, 25.0
+"""What a joint is planned to gain in half a tick at most, and how fast a hold lets it be."""
+
+
+@compiled
+def held_speed(velocity: Floats, gain: Floats) -> Floats:
+    """(42,) rad/s that the joints are held to: velocity (42,) and what it should gain (42,), both within bounds.
+
+    Where torques ran into their limits the planned acceleration is none that could be; holding to it would whirl a light limb.
+    """
+    out = np.empty(len(velocity))
+    for i in range(len(velocity)):
+        wanted = velocity[i] + min(max(gain[i], -LARGEST_CHANGE_RAD_S), LARGEST_CHANGE_RAD_S)
+        out[i] = min(max(wanted, -FASTEST_RAD_S), FASTEST_RAD_S)
+    return out

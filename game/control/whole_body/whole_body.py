@@ -15,7 +15,7 @@ from game.control.whole_body.capture_point import capture_point, natural_frequen
 from game.control.whole_body.contact_wrenches import cone_rows
 from game.control.whole_body.foot_goals import flight_task, foot_task, wish_of
 from game.control.whole_body.footing import PRESSURE_MARGIN_M, Footing
-from game.control.whole_body.hold_damping import hold_damping
+from game.control.whole_body.hold_damping import held_speed, hold_damping
 from game.control.whole_body.inverse_dynamics import eliminate
 from game.control.whole_body.joint_limits import soft_limits
 from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration
@@ -36,6 +36,12 @@ GOAL_TIME_S = 0.04
 """Low-pass of where the capture point should be."""
 
 _COM_WEIGHT = np.array([2000.0, 2000.0, 500.0])
+PLANNED = 0.9
+"""Share of a joint's strength that is planned with; the rest holds it to its plan between two ticks."""
+
+HELD_BY_RAD_S = 8.0
+"""A limb that loses what it pushed against between two ticks is held at least as if it took its whole strength this far off its speed."""
+
 _NO_ROWS = np.zeros((0, DOF_COUNT))
 _NO_STIFFNESS = np.zeros(3 * JOINT_COUNT)
 _PRICE = 1e-6 * np.tile([1.0, 1.0, 1.0, 21.0, 6.0, 21.0], 2)
@@ -165,11 +171,12 @@ class WholeBody:
         stacked = np.concatenate(rows) if rows else _NO_ROWS
         cone, price = self._cone(soles[0], standing), _PRICE[: len(stacked)]
         problem = Problem(gradient, lower, response, schur_inverse, mass, bias, stacked, price, cone, standing)
-        self.torque, acceleration, self.wrench = within_limits(problem, low, high, weight, inertia)
+        self.torque, acceleration, self.wrench = within_limits(problem, PLANNED * low, PLANNED * high, weight, inertia)
         self.com_target[2] = self._player.place(motion.place[3])[2]
-        damping = hold_damping(settings.number("whole_body.hold") * inertia / dt, self.torque, low, high)
+        firmness = np.maximum(inertia / dt, np.maximum(-strength[0], strength[1]) / HELD_BY_RAD_S)
+        damping = hold_damping(settings.number("whole_body.hold") * firmness, self.torque, low, high)
         # the velocity that the damping meets in the middle of the steps it acts in
-        reference = velocity[6:] + 0.56 * dt * acceleration[6:]
+        reference = held_speed(velocity[6:], 0.56 * dt * acceleration[6:])
         return JointCommand(body.joint_rotation, reference, _NO_STIFFNESS, damping, self.torque)
 
     def _joint_tasks(self, motion: Motion, body: BodyState, velocity: Floats, weight: Floats, largest: Floats) -> tuple[Floats, Floats]:

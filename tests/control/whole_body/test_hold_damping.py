@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.control.whole_body.hold_damping import SPARE_RAD_S, hold_damping
+from game.control.whole_body.hold_damping import SPARE_RAD_S, held_speed, hold_damping
 
 
 def held(wanted, torque, low=-100.0, high=60.0):
@@ -32,3 +32,11 @@ def test_torque_and_hold_together_stay_within_the_strength(wanted, torque, off_r
 @given(st.floats(0.0, 500.0), st.floats(-100.0, 60.0))
 def test_no_joint_is_held_more_firmly_than_wanted(wanted, torque):
     assert 0.0 <= held(wanted, torque) <= wanted
+
+
+def test_a_hold_follows_the_plan_but_never_whirls_a_limb() -> None:
+    velocity, gain = np.zeros(42), np.zeros(42)
+    velocity[:4], gain[:4] = (1.0, 1.0, 24.0, -300.0), (2.0, 900.0, 5.0, -5.0)
+    held = held_speed(velocity, gain)
+    np.testing.assert_allclose(held[:4], (3.0, 7.0, 25.0, -25.0))
+    np.testing.assert_array_equal(held[4:], 0.0)
