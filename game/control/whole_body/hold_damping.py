@@ -21,7 +21,7 @@ def hold_damping(wanted: Floats, torque: Floats, low: Floats, high: Floats) -> F
     return out
 
 
-LARGEST_CHANGE_RAD_S, FASTEST_RAD_S = 6.0, 25.0
+LARGEST_CHANGE_RAD_S, FASTEST_RAD_S = 5.0, 25.0
 """What a joint is planned to gain in half a tick at most, and how fast a hold lets it be."""
 
 
@@ -33,6 +33,6 @@ def held_speed(velocity: Floats, gain: Floats) -> Floats:
     """
     out = np.empty(len(velocity))
     for i in range(len(velocity)):
-        wanted = velocity[i] + min(max(gain[i], -LARGEST_CHANGE_RAD_S), LARGEST_CHANGE_RAD_S)
-        out[i] = min(max(wanted, -FASTEST_RAD_S), FASTEST_RAD_S)
+        wanted = min(max(velocity[i] + gain[i], -FASTEST_RAD_S), FASTEST_RAD_S)
+        out[i] = min(max(wanted, velocity[i] - LARGEST_CHANGE_RAD_S), velocity[i] + LARGEST_CHANGE_RAD_S)
     return out

@@ -38,5 +38,5 @@ def test_a_hold_follows_the_plan_but_never_whirls_a_limb() -> None:
     velocity, gain = np.zeros(42), np.zeros(42)
     velocity[:4], gain[:4] = (1.0, 1.0, 24.0, -300.0), (2.0, 900.0, 5.0, -5.0)
     held = held_speed(velocity, gain)
-    np.testing.assert_allclose(held[:4], (3.0, 7.0, 25.0, -25.0))
+    np.testing.assert_allclose(held[:4], (3.0, 6.0, 25.0, -295.0))
     np.testing.assert_array_equal(held[4:], 0.0)
