@@ -64,12 +64,12 @@ class Footing:
         self._recover(soles, xi, frequency, wish, dt)
 
     def hull(self, soles: tuple[Sole, Sole], margin_m: float) -> Floats:
-        """The polygon of the feet that stand; of the intended foot alone where one is about to lift."""
+        """The polygon of the feet that stand, of both where none does."""
         left, right = self.feet[0].stands, self.feet[1].stands
         return polygon(soles, left or not right, right or not left, margin_m)
 
     def goal_hull(self, soles: tuple[Sole, Sole], margin_m: float) -> Floats:
-        """Where the capture point should be."""
+        """Where the capture point should be: over the foot that is to carry all, where there is one."""
         if self.intended is None:
             return self.hull(soles, margin_m)
         return soles[self.intended].corners(margin_m)

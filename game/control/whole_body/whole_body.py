@@ -61,7 +61,11 @@ _JOINT_WEIGHT: dict[tuple[int, ...], Floats] = {standing: _joint_weight(standing
 
 
 class WholeBody:
-    """Balance strategy `whole-body`."""
+    """Balance strategy `whole-body`. Its readable fields are for the overlay's balance layer and for reports.
+
+    cos (3,): where the pressure under the feet is wanted; com_target (3,): where the capture point is wanted, at the COM's height;
+    torque (42,) N m, wrench (n,), momentum (3,) of the last tick.
+    """
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
@@ -129,6 +133,7 @@ class WholeBody:
         hull = self.footing.hull(soles, PRESSURE_MARGIN_M)
         self.xi, self.xi_wanted = xi, wanted
         self.pressure = pressure_target(xi, wanted, frequency, self._settings.number("whole_body.capture_rate"), hull, 0.03)
+        self.cos = np.array([self.pressure[0], self.pressure[1], floor])
         return frequency
 
     def _capture_goal(self, frequency: float, dt: float) -> Floats:
