@@ -7,6 +7,7 @@ from pathlib import Path
 from game.commands import DONE, BadInput
 from game.commands.casting import Casting
 from game.commands.output_file import check_output_file, write_report
+from game.commands.set_option import apply_assignments
 from game.presets import PRESETS, apply_preset
 from game.scenes.fighter import NoBodyError
 from game.tunables import TUNABLES, Settings, TunableError
@@ -105,11 +106,7 @@ def settings_from(arguments: argparse.Namespace) -> Settings:
                 print(f"topple: {problem}", file=sys.stderr)
         if arguments.preset:
             apply_preset(settings, arguments.preset)
-        for assignment in arguments.sets:
-            name, equals, value = assignment.partition("=")
-            if not equals:
-                raise BadInput(f"--set {assignment!r} must have the form NAME=VALUE, such as ik.damping=0.3.")
-            settings.set(name.strip(), value.strip())
+        apply_assignments(settings, arguments.sets)
         if arguments.balance:
             settings.set("balance.strategy", arguments.balance)
             settings.set("duel.strategy", arguments.balance)

@@ -6,10 +6,11 @@ import re
 from functools import partial
 from pathlib import Path
 
-from game.characters.body_plan import BodyPlanError, load_body_plan
+from game.characters.body_plan import BUILT_IN, BodyPlanError, load_body_plan
 from game.commands import BAD_INPUT, DONE, BadInput
 from game.commands.output_file import check_output_file, write_report
 from game.commands.parallel import run_all, usable_cores
+from game.commands.set_option import apply_assignments
 from game.commands.upright_case import Case, Row, run_case
 from game.presets import PRESETS, apply_preset
 from game.progress import Progress
@@ -20,7 +21,6 @@ from game.report.upright_text import as_text
 from game.tunables import TUNABLES, Settings, TunableError
 from game.warm_up import tell_of_compiling
 
-MORPHOLOGIES = ("original", "human", "human-boxes", "low-com", "asymmetric")
 MOST_SEEDS = 1000
 
 
@@ -81,11 +81,7 @@ def settings_from(arguments: argparse.Namespace) -> Settings:
         for name, value in options.items():
             if value is not None:
                 settings.set(name, value)
-        for assignment in arguments.sets:
-            name, equals, value = assignment.partition("=")
-            if not equals:
-                raise BadInput(f"--set {assignment!r} must have the form NAME=VALUE, such as ik.damping=0.3.")
-            settings.set(name.strip(), value.strip())
+        apply_assignments(settings, arguments.sets)
     except TunableError as fault:
         raise BadInput(str(fault)) from fault
     return settings
@@ -94,7 +90,7 @@ def settings_from(arguments: argparse.Namespace) -> Settings:
 def cases_from(arguments: argparse.Namespace, settings: Settings) -> list[Case]:
     """Every line of the table in its order: input, character, strategy, IK method, seed; raises BadInput."""
     inputs = inputs_from(arguments.inputs, performers=arguments.performers or not arguments.inputs)
-    characters = list(dict.fromkeys(name for given in arguments.characters for name in (MORPHOLOGIES if given == "all" else (given,))))
+    characters = list(dict.fromkeys(name for given in arguments.characters for name in (BUILT_IN if given == "all" else (given,))))
     strategies = _words("balance.strategy", arguments.strategies, settings)
     methods = _words("ik.method", arguments.ik, settings)
     seeds = seeds_from(arguments.seeds)

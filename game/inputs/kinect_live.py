@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from game.inputs.kinect_live_floor import FloorSeeker
 from game.inputs.kinect_live_switching import hold_quick_switching, let_go_of_quick_switching
-from game.inputs.kinect_replay import NO_BODY
+from game.inputs.kinect_replay import NO_BODY, floor_in_words
 from game.inputs.stand_in import StandIn
 from kinect.body import BodyFrame, Floor
 from kinect.depth.depth_frame import DepthFrame
@@ -38,8 +38,7 @@ class LiveKinect:
             return "The Kinect was switched off." if self._closed else "Looking for a Kinect."
         if sensor.state is not SensorState.STREAMING:
             return sensor.status
-        floor = self.floor
-        return f"{sensor.status} {NO_BODY} {'No floor seen.' if floor is None else f'Floor {floor.d:.2f} m below.'}"
+        return f"{sensor.status} {NO_BODY} {floor_in_words(self.floor)}"
 
     @property
     def interrupted(self) -> str:

@@ -5,7 +5,7 @@ from typing import Final
 
 from kinect.body import Floor
 from kinect.depth.depth_frame import DepthFrame
-from kinect.depth.floor_guess import guessed_floor
+from kinect.depth.floor_guess import LowestGuess
 from kinect.depth.floor_watch import LOOK_EVERY_S, FloorWatch
 
 JOIN_S: Final = 2.0
@@ -19,7 +19,7 @@ class FloorSeeker:
         self.drawn: Floor | None = None
         self.why = "no floor was looked for yet"
         self._watch = FloorWatch()
-        self._guess: Floor | None = None
+        self._guess = LowestGuess()
         self._newest: DepthFrame | None = None
         self._looked_s: float | None = None
         self._shown = threading.Event()
@@ -54,7 +54,5 @@ class FloorSeeker:
         self.floor = self._watch.see(frame)
         self.why = self._watch.why
         if self.floor is None and self._watch.hint is None:
-            guess = guessed_floor(frame)
-            if guess is not None and (self._guess is None or guess.d > self._guess.d):
-                self._guess = guess
-        self.drawn = self.floor or self._watch.hint or self._guess
+            self._guess.see(frame)
+        self.drawn = self.floor or self._watch.hint or self._guess.floor

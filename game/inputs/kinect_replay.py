@@ -7,7 +7,7 @@ from game.inputs.stand_in import StandIn
 from kinect.body import BodyFrame, Floor
 from kinect.depth.depth_frame import DepthFrame
 from kinect.depth.depth_stream import DepthStream, RecordedDepth, WiredDepth
-from kinect.depth.floor_guess import guessed_floor
+from kinect.depth.floor_guess import LowestGuess
 from kinect.depth.floor_watch import FloorWatch
 from kinect.depth.recording import open_depth_recording
 
@@ -28,13 +28,12 @@ class DepthInput:
         self._watch = FloorWatch()
         self._until_s = 0.0
         self._newest: DepthFrame | None = None
-        self._guess: Floor | None = None
+        self._guess = LowestGuess()
         self._frames = 0
 
     @property
     def status(self) -> str:
-        floor = self._watch.floor
-        seen = "" if self._newest is None else " No floor seen." if floor is None else f" Floor {floor.d:.2f} m below."
+        seen = "" if self._newest is None else f" {floor_in_words(self._watch.floor)}"
         return f"{self._stream.status} {NO_BODY}{seen}"
 
     @property
@@ -55,7 +54,7 @@ class DepthInput:
     @property
     def drawn_floor(self) -> Floor | None:
         """The floor, or where none was seen a scrap of something level, or the lowest thing seen; None before the first picture."""
-        return self._watch.floor or self._watch.hint or self._guess
+        return self._watch.floor or self._watch.hint or self._guess.floor
 
     def poll(self, until_s: float) -> list[BodyFrame]:
         """The stand-in's frames up to until_s, over the floor that was found: it stands while nobody is tracked."""
@@ -69,7 +68,7 @@ class DepthInput:
         for frame in self._stream.poll(self._until_s):
             self._newest = frame
             if self._watch.see(frame) is None and self._frames % GUESS_EVERY == 0:
-                self._lower_guess(frame)
+                self._guess.see(frame)
             self._frames += 1
         return self._newest
 
@@ -78,10 +77,10 @@ class DepthInput:
         self._stream.close()
         self._closed = True
 
-    def _lower_guess(self, frame: DepthFrame) -> None:
-        guess = guessed_floor(frame)
-        if guess is not None and (self._guess is None or guess.d > self._guess.d):
-            self._guess = guess
+
+def floor_in_words(floor: Floor | None) -> str:
+    """For a status line: how far below the sensor the floor is, or that none was seen."""
+    return "No floor seen." if floor is None else f"Floor {floor.d:.2f} m below."
 
 
 def replay(path: str | Path) -> DepthInput:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
+from game.floor_level import level_over_floor
 from game.intake.foot_contacts import STANDING, FootContacts
 from kinect.body import BodyFrame, Floor, Joint
 
@@ -14,8 +14,6 @@ Floats = NDArray[np.float64]
 ANKLE_ABOVE_SOLE_M = 0.08
 SENSOR_DISTANCE_M = 2.5
 """Where the sensor hangs in the room: it stands this far in front of the world origin (thesis 4.1)."""
-
-_UP = np.array([0.0, 1.0, 0.0])
 
 
 @dataclass(frozen=True)
@@ -32,18 +30,6 @@ class WorldFrame:
     age_s: float = 0.0
 
 
-def level_over_floor(positions: Floats, floor: Floor) -> Floats:
-    """Joints (..., 3) of a tilted sensor, turned by the smallest rotation that makes the floor's normal vertical and raised onto it.
-
-    The plane need not be scaled to a unit normal. Still the sensor's axes (x left, y up, z away), the origin on the floor under the sensor.
-    """
-    normal = np.array([floor.a, floor.b, floor.c])
-    length = float(np.sqrt(normal @ normal))
-    level = rotation.rotate(rotation.between(normal / length, _UP), positions)
-    level[..., 1] += floor.d / length
-    return level
-
-
 def to_world(level: Floats) -> Floats:
     """Levelled sensor axes to world axes; the one place where the two meet.
 
@@ -56,6 +42,12 @@ def to_world(level: Floats) -> Floats:
     world = (2.5 m - z, -x, y): a person 2.5 m before the sensor stands at the origin and faces +x.
     """
     return np.stack((SENSOR_DISTANCE_M - level[..., 2], -level[..., 0], level[..., 1]), axis=-1)
+
+
+def sensor_to_world(floor: Floor) -> tuple[Floats, Floats]:
+    """turn (3, 3) and shift (3,) m of a sensor over this floor: both steps are affine, so `seen @ turn + shift` is in the world frame."""
+    corners = to_world(level_over_floor(np.vstack((np.zeros(3), np.eye(3))), floor))
+    return corners[1:] - corners[0], corners[0]
 
 
 def floor_from_ankles(positions: Floats) -> Floor:
@@ -88,7 +80,5 @@ class Levelling:
         return frame.positions @ self._turn + self._shift
 
     def _stand_on(self, floor: Floor) -> None:
-        """Both steps are affine, so one matrix and one shift do them for every frame over the same floor."""
         self._floor = floor
-        corners = to_world(level_over_floor(np.vstack((np.zeros(3), np.eye(3))), floor))
-        self._turn, self._shift = corners[1:] - corners[0], corners[0]
+        self._turn, self._shift = sensor_to_world(floor)

@@ -4,10 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.body_plan import BodyPlan
-from game.characters.skeleton import END_EFFECTOR_PARTS, END_EFFECTORS
 from game.inputs.performer import Performer
 from game.intake.intake import Intake
-from game.report.tracking_error import PosedBody, in_heading
+from game.report.tracking_error import PosedBody
+from game.report.wrist_following import HANDS, WRISTS, places_in_heading
 from game.target.calibration import calibrate, quietest_stretch
 from game.target.kinematic_target import map_input
 from game.tunables import Settings
@@ -17,9 +17,6 @@ Floats = NDArray[np.float64]
 LONGEST_DELAY_S, DELAY_STEP_S = 0.3, 0.005
 ALLOWED_DELAY_S = 0.15
 """A game may be this late, and the error is judged at no longer delay."""
-
-_WRISTS = [i for i, name in enumerate(END_EFFECTORS) if name.startswith("wrist")]
-_HANDS = [END_EFFECTOR_PARTS[i] for i in _WRISTS]
 
 
 class TrueHands:
@@ -33,14 +30,14 @@ class TrueHands:
         joints = np.array([frame.raw for frame in frames])
         calibration = calibrate(plan, joints[quietest_stretch(self._time, joints)])
         mapped = [map_input(frame, calibration) for frame in joints]
-        self._true = np.array([in_heading(m.end_effector[_WRISTS], m.root_position, m.root_orientation).reshape(-1) for m in mapped])
+        self._true = np.array([places_in_heading(m.end_effector, WRISTS, m.root_position, m.root_orientation) for m in mapped])
         self._own: list[Floats] = []
         self._own_s: list[float] = []
 
     def sample(self, time_s: float, body: PosedBody) -> None:
         """The character at `time_s` seconds after the release."""
         self._own_s.append(time_s)
-        self._own.append(in_heading(body.joint[_HANDS], body.joint[0], body.orientation[0]).reshape(-1))
+        self._own.append(places_in_heading(body.joint, HANDS, body.joint[0], body.orientation[0]))
 
     def error_m(self, delay_s: float) -> float | None:
         """Mean distance of both wrists from where the performer's were `delay_s` earlier; None where nothing was sampled."""
@@ -48,7 +45,7 @@ class TrueHands:
             return None
         then = np.array(self._own_s) - delay_s
         true = np.stack([np.interp(then, self._time, column) for column in self._true.T], axis=1)
-        gap = (np.array(self._own) - true).reshape(len(then), len(_HANDS), 3)
+        gap = (np.array(self._own) - true).reshape(len(then), len(HANDS), 3)
         return float(np.sqrt(np.sum(gap * gap, axis=2)).mean())
 
     def best_delay_s(self) -> float:

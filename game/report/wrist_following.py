@@ -10,8 +10,8 @@ from game.target.kinematic_target import KinematicTarget
 
 Floats = NDArray[np.float64]
 
-_WRISTS = np.array([i for i, name in enumerate(END_EFFECTORS) if name.startswith("wrist")])
-_HANDS = np.array(END_EFFECTOR_PARTS)[_WRISTS]
+WRISTS = np.array([i for i, name in enumerate(END_EFFECTORS) if name.startswith("wrist")])
+HANDS = np.array(END_EFFECTOR_PARTS)[WRISTS]
 LONGEST_LAG_S = 0.5
 
 
@@ -30,9 +30,9 @@ class WristFollowing:
         self._input: list[Floats] = []
 
     def sample(self, body: PosedBody, target: KinematicTarget) -> None:
-        self._own.append(places_in_heading(body.joint, _HANDS, body.joint[0], body.orientation[0]))
+        self._own.append(places_in_heading(body.joint, HANDS, body.joint[0], body.orientation[0]))
         mapped = target.mapped
-        self._input.append(places_in_heading(mapped.end_effector, _WRISTS, mapped.root_position, mapped.root_orientation))
+        self._input.append(places_in_heading(mapped.end_effector, WRISTS, mapped.root_position, mapped.root_orientation))
 
     def lag_s(self) -> float | None:
         """The delay at which the wrists' velocities correlate best with the input's, by a parabola through the peak."""
@@ -59,6 +59,6 @@ class WristFollowing:
             return None
         lengths = []
         for rows in (self._own, self._input):
-            steps = np.diff(np.array(rows), axis=0).reshape(-1, len(_HANDS), 3)
+            steps = np.diff(np.array(rows), axis=0).reshape(-1, len(HANDS), 3)
             lengths.append(float(np.sqrt(np.sum(steps * steps, axis=2)).sum()))
         return lengths[0] / lengths[1] if lengths[1] > 0.0 else None

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from game import rotation
 from game.characters.skeleton import FEET, JOINTS, PARENT
+from game.control.whole_body.support_polygon import convex_hull
 from game.drawables import Boxes, Capsules, Drawable, Layer, Lines
 from game.physics.dynamics import BodyDynamics
 from game.scenes.costume import dressed, tint
@@ -93,27 +94,8 @@ def orientation_skeleton(fighter: Fighter, offset: Floats) -> Boxes:
 def support_polygon(body: BodyDynamics) -> Floats:
     """(n, 2) convex hull, seen from above, of the sole corners that touch the floor; empty in flight."""
     corners = body.foot_corners.reshape(-1, 3)
-    return convex_hull(corners[corners[:, 2] < 0.008][:, :2])
-
-
-def convex_hull(points: Floats) -> Floats:
-    """Counter-clockwise hull of points (n, 2) by Andrew's monotone chain."""
-    ordered = sorted(map(tuple, np.round(points, 6).tolist()))
-    if len(ordered) < 3:
-        return np.array(ordered).reshape(-1, 2)
-
-    def turns_left(a: tuple, b: tuple, c: tuple) -> bool:
-        return (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0])
-
-    def half(points: list) -> list:
-        chain: list = []
-        for p in points:
-            while len(chain) > 1 and not turns_left(chain[-2], chain[-1], p):
-                chain.pop()
-            chain.append(p)
-        return chain[:-1]
-
-    return np.array(half(ordered) + half(ordered[::-1])).reshape(-1, 2)
+    touching = np.round(corners[corners[:, 2] < 0.008][:, :2], 6)
+    return convex_hull(touching) if len(touching) > 2 else touching
 
 
 def balance_marks(fighter: Fighter, body: BodyDynamics) -> tuple[Drawable, ...]:

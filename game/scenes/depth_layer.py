@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.drawables import DepthPoints, Layer
-from game.intake.world_frame import level_over_floor, to_world
+from game.intake.world_frame import sensor_to_world
 from game.tunables import Settings
 from kinect.body import Floats, Floor
 from kinect.depth.depth_seen import depth_seen_by
@@ -51,9 +51,9 @@ def depth_points(source: object, settings: Settings, mirrored: bool, place: Floa
 
 def room_placement(floor: Floor, mirrored: bool) -> tuple[Floats, Floats]:
     """turn (3, 3) and shift (3,) from the sensor frame over this floor to the world frame, left and right swapped where mirrored."""
-    corners = to_world(level_over_floor(np.vstack((np.zeros(3), np.eye(3))), floor))
+    turn, shift = sensor_to_world(floor)
     swap = np.array([1.0, -1.0 if mirrored else 1.0, 1.0])
-    return ((corners[1:] - corners[0]) * swap).T, corners[0] * swap
+    return (turn * swap).T, shift * swap
 
 
 def depth_picture(source: object, settings: Settings) -> NDArray[np.uint8] | None:

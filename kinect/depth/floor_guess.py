@@ -26,3 +26,16 @@ def guessed_floor(frame: DepthFrame, stride: int = 8) -> Floor | None:
     up = _LEVEL if felt is None else felt
     lowest = float(np.quantile(points @ up, LOWEST_SHARE))
     return Floor(float(up[0]), float(up[1]), float(up[2]), max(USUAL_HEIGHT_M, -lowest))
+
+
+class LowestGuess:
+    """The lowest of the guesses for the frames it was shown."""
+
+    def __init__(self) -> None:
+        self.floor: Floor | None = None
+
+    def see(self, frame: DepthFrame) -> None:
+        """Take a frame in; the guess only ever goes down."""
+        guess = guessed_floor(frame)
+        if guess is not None and (self.floor is None or guess.d > self.floor.d):
+            self.floor = guess

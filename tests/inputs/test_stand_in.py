@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.inputs.stand_in import StandIn, seen_over
-from game.intake.world_frame import level_over_floor
+from game.floor_level import level_over_floor, seen_over_floor
+from game.inputs.stand_in import StandIn
 from kinect.body import Floor
 
 
@@ -23,7 +23,7 @@ def tilted_floor(pitch_rad: float, roll_rad: float, height_m: float) -> Floor:
 def test_levelling_undoes_what_the_tilted_sensor_sees(pitch: float, roll: float, height: float) -> None:
     level = np.random.default_rng(0).normal(size=(20, 3))
     floor = tilted_floor(pitch, roll, height)
-    np.testing.assert_allclose(level_over_floor(seen_over(level, floor), floor), level, atol=1e-12)
+    np.testing.assert_allclose(level_over_floor(seen_over_floor(level, floor), floor), level, atol=1e-12)
 
 
 def test_every_frame_carries_the_floor_of_its_time_and_the_player_does_not_move_when_it_is_found() -> None:

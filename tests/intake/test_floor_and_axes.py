@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import rotation
-from game.intake.world_frame import ANKLE_ABOVE_SOLE_M, Levelling, floor_from_ankles, level_over_floor, to_world
+from game.floor_level import level_over_floor
+from game.intake.world_frame import ANKLE_ABOVE_SOLE_M, Levelling, floor_from_ankles, to_world
 from game.rotation import Floats
 from kinect.body import BodyFrame, Floor, Joint
 from tests.kinect.recordings import standing_joints

@@ -18,9 +18,9 @@ def follower(hands: TrueHands, t: float, delay_s: float, off_m: float) -> Any:
     """A body at the origin whose wrists are where the performer's were so long ago, `off_m` too high."""
     wrists = np.array([np.interp(t - delay_s, hands._time, column) for column in hands._true.T]).reshape(2, 3)
     joint = np.zeros((15, 3))
-    from game.report.true_hands import _HANDS
+    from game.report.true_hands import HANDS
 
-    joint[_HANDS] = wrists + [0.0, 0.0, off_m]
+    joint[HANDS] = wrists + [0.0, 0.0, off_m]
     orientation = np.zeros((15, 4))
     orientation[:, 0] = 1.0
     return SimpleNamespace(joint=joint, orientation=orientation)

@@ -29,7 +29,7 @@ def wish_of(player: PlayerStance, motion: Motion, body: BodyState) -> Wish:
     place, yaw = np.empty((2, 2)), [0.0, 0.0]
     for side in range(2):
         yaw[side] = one.yaw(motion.turn[JOINT_COUNT + 1 + side]) + player.turn_rad
-        place[side] = player.place(motion.place[1 + side])[:2] + ahead_of_ankle(body, yaw[side])
+        place[side] = player.ankle(motion, side)[:2] + ahead_of_ankle(body, yaw[side])
     return Wish((player.up[0], player.up[1]), player.flight, place, (yaw[0], yaw[1]))
 
 
@@ -43,7 +43,7 @@ def foot_task(
     if foot.phase is Phase.STEP:
         place, velocity, acceleration, yaw = foot.step_motion(CLEARANCE_M)
         return swing(sole.centre, orientation, turn, twist, place, velocity, acceleration, one.about_z(yaw), _STILL)
-    place = np.array([*wish.place[side], player.place(motion.place[1 + side])[2] - body.plan.joint[FEET[0], 2]])
+    place = np.array([*wish.place[side], player.ankle(motion, side)[2] - body.plan.joint[FEET[0], 2]])
     if player.up[side]:
         facing = player.orientation(motion.turn[JOINT_COUNT + 1 + side])
         place[2] = max(place[2], LEAST_LIFT_M)

@@ -37,7 +37,7 @@ class Wish:
 
 
 class Footing:
-    """The phases of both feet. `support` after `update`: the corners the weight may go to, and on which foot it is to go."""
+    """The phases of both feet, brought up to date by `update`; `hull` and `goal_hull` tell where the weight may and should go."""
 
     def __init__(self) -> None:
         self.feet = [FootState(), FootState()]

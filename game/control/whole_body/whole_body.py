@@ -43,7 +43,7 @@ HELD_BY_RAD_S = 8.0
 """A limb that loses what it pushed against between two ticks is held at least as if it took its whole strength this far off its speed."""
 
 _NO_ROWS = np.zeros((0, DOF_COUNT))
-_NO_STIFFNESS = np.zeros(3 * JOINT_COUNT)
+_NOTHING = np.zeros(3 * JOINT_COUNT)
 _PRICE = 1e-6 * np.tile([1.0, 1.0, 1.0, 21.0, 6.0, 21.0], 2)
 """What a wrench costs, so that the least one is taken."""
 
@@ -71,7 +71,6 @@ class WholeBody:
         self._settings = settings
         self.cos = np.zeros(3)
         self.com_target = np.zeros(3)
-        self.left_share = 0.5
         self._ready = False
         self._hanging = AnkleStrategy(settings)
         self._cone_of, self._cone_rows = (0.0, 0), _NO_ROWS
@@ -95,14 +94,14 @@ class WholeBody:
         if not self._ready:
             self.reset(dynamics)
         self._listen(target, dynamics, dt)
-        delay = self._settings.number("whole_body.delay_s")
-        motion = self._window.moment(self._window.newest_s + self._since_s - delay)
-        soles = (sole_of(dynamics, 0), sole_of(dynamics, 1))
         if dynamics.held:
             return self._hanging.command(target, dynamics, dt)
         if dynamics.com[2] < 0.5 or self.fallen:
             self.fallen = True
             return self._limp(target, dynamics)
+        delay = self._settings.number("whole_body.delay_s")
+        motion = self._window.moment(self._window.newest_s + self._since_s - delay)
+        soles = (sole_of(dynamics, 0), sole_of(dynamics, 1))
         frequency = self._plan(motion, dynamics, soles, dt)
         return self._solve(motion, dynamics, soles, frequency, dt)
 
@@ -131,7 +130,7 @@ class WholeBody:
         wanted = nearest_inside(self.footing.goal_hull(soles, 0.02), goal)
         self.com_target[:2] = wanted
         hull = self.footing.hull(soles, PRESSURE_MARGIN_M)
-        self.xi, self.xi_wanted = xi, wanted
+        self.xi = xi
         self.pressure = pressure_target(xi, wanted, frequency, self._settings.number("whole_body.capture_rate"), hull, 0.03)
         self.cos = np.array([self.pressure[0], self.pressure[1], floor])
         return frequency
@@ -152,9 +151,10 @@ class WholeBody:
         feet = self.footing.feet
         standing = tuple(side for side in range(2) if feet[side].stands and soles[side].touches)
         strength = settings.number("whole_body.strength") * self._strength
+        strongest = np.maximum(-strength[0], strength[1])
         low, high = limits_at(strength[0], strength[1], velocity[6:])
         weight = _JOINT_WEIGHT[standing].copy()
-        hessian, gradient = self._joint_tasks(motion, body, velocity, weight, 0.7 * np.maximum(-strength[0], strength[1]) / inertia)
+        hessian, gradient = self._joint_tasks(motion, body, velocity, weight, 0.7 * strongest / inertia)
         rows = []
         for side, sole in enumerate(soles):
             twist, product = sole_motion(side, sole.centre, body.joint, body.turn, velocity)
@@ -178,11 +178,11 @@ class WholeBody:
         problem = Problem(gradient, lower, response, schur_inverse, mass, bias, stacked, price, cone, standing)
         self.torque, acceleration, self.wrench = within_limits(problem, PLANNED * low, PLANNED * high, weight, inertia)
         self.com_target[2] = self._player.place(motion.place[3])[2]
-        firmness = np.maximum(inertia / dt, np.maximum(-strength[0], strength[1]) / HELD_BY_RAD_S)
+        firmness = np.maximum(inertia / dt, strongest / HELD_BY_RAD_S)
         damping = hold_damping(settings.number("whole_body.hold") * firmness, self.torque, low, high)
         # the velocity that the damping meets in the middle of the steps it acts in
         reference = held_speed(velocity[6:], 0.56 * dt * acceleration[6:])
-        return JointCommand(body.joint_rotation, reference, _NO_STIFFNESS, damping, self.torque)
+        return JointCommand(body.joint_rotation, reference, _NOTHING, damping, self.torque)
 
     def _joint_tasks(self, motion: Motion, body: BodyState, velocity: Floats, weight: Floats, largest: Floats) -> tuple[Floats, Floats]:
         settings = self._settings
@@ -205,4 +205,4 @@ class WholeBody:
     def _limp(self, target: KinematicTarget, body: BodyState) -> JointCommand:
         """On the floor: the target's pose with little strength."""
         kp, kd = gains(body, 0.125 * self._settings.number("pd.kp_hat"), "dynamic")
-        return JointCommand(target.joint_rotation, np.zeros(3 * JOINT_COUNT), kp, kd, np.zeros(3 * JOINT_COUNT))
+        return JointCommand(target.joint_rotation, _NOTHING, kp, kd, _NOTHING)
