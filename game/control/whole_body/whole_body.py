@@ -64,7 +64,8 @@ class WholeBody:
     """Balance strategy `whole-body`. Its readable fields are for the overlay's balance layer and for reports.
 
     cos (3,): where the pressure under the feet is wanted; com_target (3,): where the capture point is wanted, at the COM's height;
-    torque (42,) N m, wrench (n,), momentum (3,) of the last tick.
+    torque (42,) N m, wrench (n,), momentum (3,) of the last tick; standing: the feet that `wrench` (6 numbers each) belongs to;
+    limits: the least and the largest torque (42,) N m that the joints had at their speed, None before the first tick.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -89,6 +90,8 @@ class WholeBody:
         self.fallen = False
         self._height = ComHeight()
         self.wrench = np.zeros(0)
+        self.standing: tuple[int, ...] = ()
+        self.limits: tuple[Floats, Floats] | None = None
 
     def command(self, target: KinematicTarget, dynamics: BodyState, dt: float) -> JointCommand:
         if not self._ready:
@@ -153,6 +156,7 @@ class WholeBody:
         strength = settings.number("whole_body.strength") * self._strength
         strongest = np.maximum(-strength[0], strength[1])
         low, high = limits_at(strength[0], strength[1], velocity[6:])
+        self.standing, self.limits = standing, (low, high)
         weight = _JOINT_WEIGHT[standing].copy()
         hessian, gradient = self._joint_tasks(motion, body, velocity, weight, 0.7 * strongest / inertia)
         rows = []
