@@ -23,6 +23,8 @@ Commander = Callable[[BodyDynamics, int], JointCommand | None]
 FACING_AWAY = rotation.about_z(0.0)
 FACING_BACK = rotation.about_z(np.pi)
 STEPS_PER_COMMAND = 4
+STEP_S = 1.0 / 480.0
+"""Of a world that is not told another: the tests count their seconds in steps, 480 of them each."""
 
 
 @cache
@@ -41,7 +43,8 @@ def world_of(*places: Sequence[float], plan: BodyPlan | None = None, joints: Flo
     Settings are given with a double underscore for the point: physics__friction=0.1.
     """
     plan = plan or original()
-    world = World([plan] * len(places), Settings({name.replace("__", "."): value for name, value in settings.items()}))
+    values = {"physics.step_s": STEP_S} | {name.replace("__", "."): value for name, value in settings.items()}
+    world = World([plan] * len(places), Settings(values))
     for index, (x, y, z) in enumerate(places):
         facing = FACING_BACK if index % 2 else FACING_AWAY
         world.place(index, np.array([x, y, z + plan.joint[0, 2]]), facing, idle_joints() if joints is None else joints)

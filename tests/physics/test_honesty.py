@@ -7,6 +7,7 @@ import pytest
 from game.characters.skeleton import PARTS
 from game.physics.hang import hold_root
 from game.physics.world import World
+from game.tunables import TUNABLES
 from tests.physics.standing import bent, hold, limp, run, swing, thrash, unexplained, world_of
 
 FORCE_N, TORQUE_NM = 1e-6, 1e-6
@@ -31,6 +32,15 @@ def test_a_character_that_stands_and_swings_its_arms_is_moved_by_floor_and_gravi
     assert world.characters[0].com_height() > 0.85, "it was to stand"
     assert is_honest(world), unexplained(world)
     assert world.meter.partners == ["floor - c0"]
+
+
+@pytest.mark.parametrize("places", [[(0, 0, 0)], [(0, 0, 0), (0.55, 0, 0)]], ids=["alone", "shoving"])
+def test_the_step_that_is_played_with_is_as_honest(places):
+    step_s = float(TUNABLES["physics.step_s"].default)
+    world = world_of(*places, physics__step_s=step_s)
+    run(world, round(1.5 / step_s), shoving)
+    assert is_honest(world), unexplained(world)
+    assert "floor - c0" in world.meter.partners
 
 
 def test_a_character_that_topples_and_lies_is_honest():

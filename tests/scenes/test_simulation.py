@@ -120,12 +120,12 @@ def test_time_counts_from_the_release():
     assert simulation.time_s == pytest.approx(-HANG_S)
     advance(simulation, HANG_FRAMES + 30)
     assert simulation.time_s == simulation.clock_s == pytest.approx(0.5)
-    assert simulation.world.step_count == (HANG_FRAMES + 30) * 8
+    assert simulation.world.step_count == (HANG_FRAMES + 30) * simulation.world.steps_per_frame
 
 
 @pytest.mark.parametrize(("rate", "per_frame"), [("60", 1), ("120", 2), ("240", 4), ("480", 8)])
 def test_control_runs_at_the_rate_that_was_set(rate, per_frame, monkeypatch):
-    simulation = simulation_of(WAVING, settings=Settings({"control.rate_hz": rate}))
+    simulation = simulation_of(WAVING, settings=Settings({"control.rate_hz": rate, "physics.step_s": 1.0 / 480.0}))
     asked = []
     monkeypatch.setattr(Fighter, "control", lambda self, world, dt: asked.append(dt))
     simulation.advance()
