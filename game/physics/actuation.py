@@ -30,7 +30,8 @@ class Actuation:
         self._goal = data.qpos.copy()
         self._held = np.zeros((4, model.nv))
         self._kp, self._kd, self._offset, self._damping = self._held
-        self._error = np.empty(model.nv)
+        self._error = np.zeros(model.nv)
+        self._stiff = [False] * len(bodies)
         self._step_s = float(model.opt.timestep)
         # views: MuJoCo steps in place
         self._position, self._velocity, self._applied, self._model_damping = data.qpos, data.qvel, data.qfrc_applied, model.dof_damping
@@ -38,6 +39,8 @@ class Actuation:
         """(nv,) N m, the torque of each axis in the last step; root rows are zero."""
         self.peak_torque: Floats = np.zeros(model.nv)
         """(nv,) N m, the largest of each axis so far."""
+        self.books = self._applied, self._damping, self.torque, self.peak_torque
+        """What `settle_torque` takes besides the velocity."""
         for index in range(len(bodies)):
             self.relax(index)
 
@@ -45,7 +48,7 @@ class Actuation:
         """Character `index` follows `command` from the next step on."""
         body = self._bodies[index]
         goal, held = self._goal[body.coordinates][7:], self._held[:, body.joint_dofs]
-        take_command(
+        self._stiff[index] = take_command(
             command.rotation, command.velocity, command.kp, command.kd, command.feedforward, self._step_s, self._explicit, goal, held
         )
 
@@ -53,24 +56,26 @@ class Actuation:
         """Character `index` goes limp: light joint damping and nothing else."""
         held = self._held[:, self._bodies[index].joint_dofs]
         held[:3], held[3] = 0.0, PASSIVE_DAMPING
+        self._stiff[index] = False
 
     def apply(self) -> None:
         """Write the applied torques and the damping for the coming step."""
-        mj.mj_differentiatePos(self._model, self._error, 1.0, self._position, self._goal)
-        write_torque(self._first_rows, self._kp, self._error, self._offset, self._kd, self._velocity, self._explicit, self._applied)
-        np.copyto(self._model_damping, self._damping)
-
-    def settle(self) -> None:
-        """After the step: the torque that acted, with the velocity the integrator evaluated it at."""
-        settle_torque(self._applied, self._damping, self._velocity, self.torque, self.peak_torque)
+        if True in self._stiff:
+            # without stiffness no error counts, and measuring it costs as much as all the rest
+            mj.mj_differentiatePos(self._model, self._error, 1.0, self._position, self._goal)
+        write_torque(self._first_rows, self._held, self._error, self._velocity, self._explicit, self._applied, self._model_damping)
 
 
 @compiled
 def take_command(
     rotation: Floats, velocity: Floats, kp: Floats, kd: Floats, feedforward: Floats, step_s: float, explicit: bool,
     goal: Floats, held: Floats,
-) -> None:  # fmt: skip
-    """A command's rotations into `goal` (56,), its kp, kd, offset and joint damping into the rows of `held`, (4, 42)."""
+) -> bool:  # fmt: skip
+    """A command's rotations into `goal` (56,), its kp, kd, offset and joint damping into the rows of `held`, (4, 42).
+
+    True where any axis has stiffness.
+    """
+    stiff = False
     for joint in range(len(rotation)):
         for part in range(4):
             goal[4 * joint + part] = rotation[joint, part]
@@ -78,18 +83,25 @@ def take_command(
         held[0, row], held[1, row] = kp[row], kd[row]
         held[2, row] = feedforward[row] + kd[row] * velocity[row]
         held[3, row] = 0.0 if explicit else kd[row] + step_s * kp[row]
+        stiff = stiff or kp[row] != 0.0
+    return stiff
 
 
 @compiled
 def write_torque(
-    first_rows: NDArray[np.int64], kp: Floats, error: Floats, offset: Floats, kd: Floats, velocity: Floats, explicit: bool, out: Floats
+    first_rows: NDArray[np.int64], held: Floats, error: Floats, velocity: Floats, explicit: bool, out: Floats, damping: Floats
 ) -> None:
-    """kp e + offset into the joint rows of `out`, less kd v where the whole law is explicit; root rows are left alone."""
+    """kp e + offset into the joint rows of `out`, less kd v where the whole law is explicit; root rows are left alone.
+
+    held (4, nv): kp, kd, offset and damping, which goes into `damping`.
+    """
     for first in first_rows:
         for row in range(first + 6, first + DOF_COUNT):
-            out[row] = kp[row] * error[row] + offset[row]
+            out[row] = held[0, row] * error[row] + held[2, row]
             if explicit:
-                out[row] -= kd[row] * velocity[row]
+                out[row] -= held[1, row] * velocity[row]
+    for row in range(len(damping)):
+        damping[row] = held[3, row]
 
 
 @compiled

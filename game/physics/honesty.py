@@ -14,9 +14,11 @@ from numpy.typing import NDArray
 from game import rotation
 from game.characters.skeleton import PART_COUNT
 from game.compiled import compiled
+from game.physics.actuation import Actuation
 from game.physics.contacts import FLOOR, ContactForces, contact_forces
 from game.physics.dynamics import BodyDynamics
-from game.physics.root_balance import keep_largest, root_balance
+from game.physics.root_balance import keep_largest
+from game.physics.step_close import close_step, copy_state
 
 Floats = NDArray[np.float64]
 
@@ -43,8 +45,9 @@ class HonestyMeter:
         self._root_place, self._root_turn = data.xpos[roots], data.xmat[roots]
         self._end_position = data.qpos.copy()
         self._end_velocity = data.qvel.copy()
-        self._velocity_change, self._change = np.empty(model.nv), np.empty(model.nv)
+        self._change = np.empty(model.nv)
         self._residual = np.empty((len(bodies), 6))
+        self._mass = data.M, model.M_rownnz, model.M_rowadr, model.M_colind
         self._step_s, self._owner = float(model.opt.timestep), model.geom_bodyid
         self._wrench = np.zeros((64, 6))
         self._wrench_rows = list(self._wrench)
@@ -81,23 +84,27 @@ class HonestyMeter:
         self._record(self._through_mass(jump))
         self.accept_state()
 
-    def after_step(self, pushes: Sequence[Push]) -> None:
-        """Take the step's balance. The data still holds M, c and contacts of its start."""
-        if self.active:
-            model, data, contacts = self._model, self._data, self._data.contact
-            count = self._read_wrenches()
-            np.subtract(self._velocity, self._end_velocity, out=self._velocity_change)
-            mj.mj_mulM(model, data, self._change, self._velocity_change)
-            excess = root_balance(
-                self._change, self._step_s, self._bias, self._first_rows, self._root_place, self._root_turn, count,
-                contacts.pos, contacts.frame, contacts.friction, contacts.geom, self._owner, self._wrench, self._pairs, self._residual,
-            )  # fmt: skip
-            if excess > self.worst_cone_excess_n:
-                self.worst_cone_excess_n = excess
-            for push in pushes:
-                self._residual[push.character] -= self._root_force_of(push)
-            self._record(self._residual)
-        self.accept_state()
+    def close_step(self, actuation: Actuation, pushes: Sequence[Push], trail: Floats, row: int, found_sound: bool = False) -> bool:
+        """Take the step's balance, settle its torques and note its end in a row of `trail`; False, and none of it, where its end is no
+        state of a body, unless somebody has looked closer and found it sound. The data still holds M, c and contacts of the step's start.
+        """
+        contacts, active = self._data.contact, self.active
+        excess = close_step(
+            self._position, self._velocity, self._end_position, self._end_velocity, trail, row, *actuation.books, *self._mass,
+            self._bias, self._step_s, self._first_rows, self._root_place, self._root_turn, self._read_wrenches() if active else 0,
+            contacts.pos, contacts.frame, contacts.friction, contacts.geom, self._owner, self._wrench,
+            self._pairs, self._residual, active and not pushes, self.unexplained_force_n, self.unexplained_torque_nm, found_sound,
+        )  # fmt: skip
+        self._contacts_read = False
+        if excess != excess:
+            return False
+        if active:
+            self.worst_cone_excess_n = max(self.worst_cone_excess_n, excess)
+            if pushes:
+                for push in pushes:
+                    self._residual[push.character] -= self._root_force_of(push)
+                self._record(self._residual)
+        return True
 
     def _read_wrenches(self) -> int:
         """Fill the first rows of `_wrench` with the step's contact forces, in the contacts' frames; how many there are."""
@@ -149,12 +156,3 @@ def same_state(position: Floats, velocity: Floats, other_position: Floats, other
         if velocity[i] != other_velocity[i]:
             return False
     return True
-
-
-@compiled
-def copy_state(position: Floats, velocity: Floats, to_position: Floats, to_velocity: Floats) -> None:
-    """Copy qpos and qvel."""
-    for i in range(len(position)):
-        to_position[i] = position[i]
-    for i in range(len(velocity)):
-        to_velocity[i] = velocity[i]

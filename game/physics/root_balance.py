@@ -14,21 +14,44 @@ Indices = NDArray[np.int32]
 
 
 @compiled
+def root_momentum_change(
+    mass: Floats, mass_count: Indices, mass_start: Indices, mass_column: Indices, after: Floats, before: Floats,
+    first_rows: NDArray[np.int64], out: Floats,
+) -> None:  # fmt: skip
+    """Write into `out`, (characters, 6), the root rows of M (after - before), velocities (nv,).
+
+    M as MuJoCo keeps it: of each row what lies on and left of the diagonal, `mass_count` numbers from `mass_start` on, in columns
+    `mass_column`; a character's root comes first in all of its rows.
+    """
+    out[:] = 0.0
+    rows = len(after) // len(first_rows)
+    for character in range(len(first_rows)):
+        first = first_rows[character]
+        for row in range(first, first + rows):
+            change = after[row] - before[row]
+            start = mass_start[row]
+            for at in range(start, start + min(mass_count[row], 6)):
+                column = mass_column[at]
+                out[character, column - first] += mass[at] * change
+                if column != row and row < first + 6:
+                    out[character, row - first] += mass[at] * (after[column] - before[column])
+
+
+@compiled
 def root_balance(
-    change: Floats, step_s: float, bias: Floats, first_rows: NDArray[np.int64], root_place: Floats, root_turn: Floats, count: int,
+    residual: Floats, step_s: float, bias: Floats, first_rows: NDArray[np.int64], root_place: Floats, root_turn: Floats, count: int,
     point: Floats, frame: Floats, friction: Floats, geom: Indices, owner: Indices, wrench: Floats, pairs: NDArray[np.bool_],
-    residual: Floats,
 ) -> float:  # fmt: skip
-    """Write into `residual`, (characters, 6), what nothing explains in the root rows: M dv / h + c minus the contact forces.
+    """Turn `residual`, (characters, 6), from M dv into what nothing explains in the root rows: M dv / h + c minus the contact forces.
 
     Notes in `pairs`, (bodies, bodies), who touched whom; returns how far the worst contact leaves its friction cone, N.
-    change (nv,): M dv; root_place (characters, 3), root_turn (characters, 9); of the contacts, `count` of them: point (n, 3),
-    frame (n, 9), friction (n, 5), geom (n, 2), wrench (n or more, 6); owner (geoms,): the body of each geom.
+    root_place (characters, 3), root_turn (characters, 9); of the contacts, `count` of them: point (n, 3), frame (n, 9),
+    friction (n, 5), geom (n, 2), wrench (n or more, 6); owner (geoms,): the body of each geom.
     """
     for character in range(len(first_rows)):
         first = first_rows[character]
         for row in range(6):
-            residual[character, row] = change[first + row] / step_s + bias[first + row]
+            residual[character, row] = residual[character, row] / step_s + bias[first + row]
     force, torque, arm = np.empty(3), np.empty(3), np.empty(3)
     for i in range(count):
         pairs[owner[geom[i, 0]], owner[geom[i, 1]]] = True

@@ -10,17 +10,21 @@ from numpy.typing import NDArray
 from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import PARTS
 from game.control.joint_command import JointCommand
-from game.physics.actuation import Actuation
+from game.physics.actuation import Actuation, settle_torque
 from game.physics.dynamics import BodyDynamics
 from game.physics.guard import command_is_sound, unsound_characters
 from game.physics.honesty import HonestyMeter, Push
 from game.physics.model import build_model
 from game.physics.state_ring import StateRing
+from game.physics.step_close import note_state
 from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
 FRAME_HZ = 60
+
+TRAIL_STEPS = 64
+"""So many states are hashed at a time."""
 
 LIMP_S = 0.5
 """How long a character whose step failed takes no commands."""
@@ -61,7 +65,8 @@ class World:
         """Every push a scene stated: step, character, part, force (N), steps."""
         self._limp_until = [0] * len(plans)
         self._digest = hashlib.sha256()
-        self._friction = settings.number("physics.friction")
+        self._trail, self._trail_rows = np.empty((TRAIL_STEPS, self.model.nq + self.model.nv)), 0
+        self._friction, self._settings_seen = settings.number("physics.friction"), settings.version
 
     @property
     def step_s(self) -> float:
@@ -106,26 +111,33 @@ class World:
 
     def step(self) -> None:
         """Advance by one physics step."""
-        data = self.data
-        self._set_friction()
-        if not self.meter.continues():
+        meter = self.meter
+        if self._settings.version != self._settings_seen:
+            self._set_friction()
+        if not meter.continues():
             self._mend(unsound_characters(self.characters, self._position, self._velocity))
-            self.meter.record_written_state()
-        pushes = self._apply_pushes()
+            meter.record_written_state()
+        pushes = self._apply_pushes() if self._pushes else []
         # after the pushes: a repeated step is to feel them too
         self.ring.push()
         self.actuation.apply()
-        mj.mj_step(self.model, data)
-        failed = unsound_characters(self.characters, self._position, self._velocity)
-        moved = not failed or self._repeat(failed)
-        self.actuation.settle()
-        if moved:
-            self.meter.after_step(pushes)
-        else:
-            self.meter.accept_state()
+        mj.mj_step(self.model, self.data)
+        if not meter.close_step(self.actuation, pushes, self._trail, self._trail_rows):
+            self._save_step(pushes)
         self.step_count += 1
-        self._digest.update(self._position)
-        self._digest.update(self._velocity)
+        self._trail_rows += 1
+        if self._trail_rows == TRAIL_STEPS:
+            self._hash_trail()
+
+    def _save_step(self, pushes: list[Push]) -> None:
+        """What is left of a step that the guard has to see to."""
+        failed = unsound_characters(self.characters, self._position, self._velocity)
+        if failed and not self._repeat(failed):
+            settle_torque(*self.actuation.books[:2], self._velocity, *self.actuation.books[2:])
+            self.meter.accept_state()
+            note_state(self._position, self._velocity, self._trail, self._trail_rows)
+        else:
+            self.meter.close_step(self.actuation, pushes, self._trail, self._trail_rows, found_sound=True)
 
     @property
     def peak_torque(self) -> Floats:
@@ -135,6 +147,7 @@ class World:
     @property
     def state_sha256(self) -> str:
         """Over the float64 qpos and qvel of every step so far."""
+        self._hash_trail()
         return self._digest.hexdigest()
 
     @property
@@ -142,7 +155,12 @@ class World:
         """MuJoCo's own warnings so far."""
         return int(sum(w.number for w in self.data.warning))
 
+    def _hash_trail(self) -> None:
+        self._digest.update(self._trail[: self._trail_rows].data)
+        self._trail_rows = 0
+
     def _set_friction(self) -> None:
+        self._settings_seen = self._settings.version
         wanted = self._settings.number("physics.friction")
         if wanted != self._friction:
             self._friction = wanted
@@ -150,8 +168,6 @@ class World:
 
     def _apply_pushes(self) -> list[Push]:
         """Write the pushes that still last; the point is the part's centre at the start of this step."""
-        if not self._pushes:
-            return []
         for _, push in self._pushes:
             self.data.xfrc_applied[push.body] = 0.0
         self._pushes = [(until, push) for until, push in self._pushes if until > self.step_count]
