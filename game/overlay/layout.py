@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from game.overlay.view import Shown
 
 PANEL_EM = 24.0
-PLOTS_EM = 20.0
+PLOTS_EM = 24.0
 DEPTH_EM = 15.0
 MARGIN_EM = 0.6
 

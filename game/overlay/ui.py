@@ -10,7 +10,7 @@ from game.overlay.depth_panel import DepthPanel
 from game.overlay.hud import Hud
 from game.overlay.ink import Ink
 from game.overlay.menu import Menu, draw_help
-from game.overlay.plots_panel import draw_plots
+from game.overlay.plots_panel import PlotsPanel
 from game.overlay.style import apply_style, interface_scale, load_fonts
 from game.overlay.tuning_panel import TuningPanel
 from game.overlay.view import Shown, View
@@ -40,6 +40,7 @@ class Overlay:
         self.panel = TuningPanel(self.fonts)
         self.menu = Menu(self.fonts)
         self.depth = DepthPanel(self.fonts)
+        self.plots = PlotsPanel(self.fonts)
         self._scale = 0.0
         self._ink: Ink | None = None
         self._rescale()
@@ -81,7 +82,7 @@ class Overlay:
         self._ink.begin()
         self.hud.draw(self._ink, view, self.shown, size)
         self.depth.draw(view, self.shown, size)
-        draw_plots(view, self.shown, self.fonts, size)
+        self.plots.draw(view, self.shown, size)
         self.panel.draw(view, self.shown, size)
         self.menu.draw(view, self.shown, size)
         draw_help(view, self.shown, self.fonts, size)

@@ -64,7 +64,7 @@ class Duel(PlayedScene):
         self._touched_frame = 0
         self._fought_s = 0.0
         self.breaks = 0
-        self._plots = DuelPlots()
+        self._plots = DuelPlots(self._settings)
         self._entered = True
 
     @property
@@ -159,7 +159,7 @@ class Duel(PlayedScene):
         }
 
     def plots(self) -> tuple[Plot, ...]:
-        return self._plots.plots()
+        return self._plots.plots(self.simulation)
 
     def messages(self) -> tuple[str, ...]:
         fighter = self.simulation.fighters[0]

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from game.drawables import Layer
 from game.report.observer import Observer
 from game.report.session_report import Stopwatch, peak_torques, simulation_report
+from game.scenes.balance_history import BalanceHistory
 from game.scenes.balance_plots import BalancePlots
 from game.scenes.body_layers import fighter_layers
 from game.scenes.fighter import Fighter
@@ -26,13 +27,13 @@ class Mirror(PlayedScene):
         fighter = Fighter(0, self._plan, self._opens, self._settings, mirrored=True)
         self.simulation = Simulation([fighter], self._settings)
         self.observer = Observer(fighter, fighter.source.length_s)
-        self._plots = BalancePlots()
+        self._balance = BalancePlots(BalanceHistory(self._settings))
         self._entered = True
 
     def fixed_update(self) -> None:
         self.simulation.advance()
         self.observer.observe(self.simulation)
-        self._plots.observe(self.simulation, self.observer)
+        self._balance.seen.observe(self.simulation, self.observer.upright.upright_s)
 
     def drawables(self, blend: float) -> tuple[Layer, ...]:
         return (*self._room, *fighter_layers(self.simulation, 0, blend, self._settings))
@@ -52,7 +53,7 @@ class Mirror(PlayedScene):
         }
 
     def plots(self) -> tuple[Plot, ...]:
-        return self._plots.plots(self.simulation)
+        return self._balance.plots(self.simulation)
 
     def messages(self) -> tuple[str, ...]:
         fighter, clock = self.simulation.fighters[0], self.observer.upright

@@ -1,7 +1,7 @@
 """The one contract of a scene: what the loop, the renderer, the overlay and the report may ask of it."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
@@ -17,13 +17,21 @@ PHYSICS_HZ = 480
 class Plot:
     """One live plot: its title, the unit of its y axis, and named series of (x, y) arrays, newest last.
 
-    kind "time": x is seconds; kind "plan": x, y are metres seen from above (x right = world -y, y up = world +x).
+    kind "time": x is seconds, y may hold NaN where there was nothing to show; kind "plan": x, y are metres seen from above
+    (x right = world -y, y up = world +x); kind "bars": y is a share of each of `names`, x its row there.
+    looks: how a series is drawn where its kind leaves a choice. Of a plan: area, trail, point, goal (of the point with that name
+    less its " wanted"), other (of somebody else), landing (of a step), and a foot that touches, lifted, stands, follows (the
+    player's), steps (on its own) or flies. Over time: planned (of the series with that name less its " planned").
+    note: what has to be said about it, empty for nothing.
     """
 
     title: str
     unit: str
     series: Mapping[str, tuple[NDArray[np.float64], NDArray[np.float64]]]
     kind: str = "time"
+    looks: Mapping[str, str] = field(default_factory=dict)
+    names: tuple[str, ...] = ()
+    note: str = ""
 
 
 @dataclass(frozen=True)

@@ -161,7 +161,8 @@ class TestEveryScene:
             later = scene.drawables(1.0)
         changed = [place for (place, array), copy in zip(arrays_of(shown), copies, strict=True) if not np.array_equal(array, copy)]
         assert changed == []
-        assert all(np.array_equal(a, b) for a, b in zip(lines, [x for p in plots for s in p.series.values() for x in s], strict=True))
+        after = [axis for plot in plots for series in plot.series.values() for axis in series]
+        assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(lines, after, strict=True))
         first, last = (fighter_boxes(layers).position for layers in (shown, later))
         assert not np.array_equal(first, last)
 
@@ -187,10 +188,13 @@ class TestEveryScene:
         plots = scene.plots()
         assert plots and len({plot.title for plot in plots}) == len(plots)
         for plot in plots:
-            assert plot.unit and plot.kind in ("time", "plan") and plot.series
+            assert plot.unit and plot.kind in ("time", "plan", "bars") and plot.series
+            assert set(plot.looks) <= set(plot.series)
             for x, y in plot.series.values():
                 assert x.shape == y.shape and x.ndim == 1 and len(x) > 0
-                assert np.isfinite(x).all() and np.isfinite(y).all()
+                assert np.isfinite(x).all()
+                # over time there may be stretches of which nothing was to be shown
+                assert np.isfinite(y).any() and not np.isinf(y).any() if plot.kind == "time" else np.isfinite(y).all()
                 assert plot.kind == "plan" or (np.diff(x) > 0.0).all()
 
     def test_plots_may_be_asked_for_before_anything_happened(self, name: str) -> None:

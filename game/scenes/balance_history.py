@@ -1,0 +1,133 @@
+"""Measures of how one fighter keeps its balance and follows its target, sampled for the live plots."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation_compiled as one
+from game.characters.skeleton import ANKLES, FEET, JOINTS, WRISTS
+from game.compiled import compiled
+from game.control.whole_body.capture_point import capture_point, natural_frequency
+from game.physics.dynamics import BodyDynamics, lowest_corner
+from game.report.tracking_error import in_heading
+from game.scenes.foot_loads import ground_loads
+from game.scenes.history import FRAMES_PER_SAMPLE, History
+from game.scenes.planned_balance import PlannedBalance, limits_or_strength, planned_balance
+from game.scenes.simulation import Simulation
+from game.scenes.torque_use import torque_use
+from game.tunables import Settings
+
+Floats = NDArray[np.float64]
+
+LOADS = ("load_left", "load_right", "load_left_planned", "load_right_planned")
+ERRORS = ("capture_cm", "com_cm", "hands_cm", "feet_cm", "pelvis_deg", "joint_mean_rad", "joint_worst_rad")
+BODY = ("torque_nm", "com_height_m", "target_height_m", "com_x", "com_y", "upright_s")
+USE = tuple(f"use_{joint}" for joint in JOINTS)
+
+_HANDS = np.array([joint + 1 for joint in WRISTS])
+_ANKLE_PARTS = np.array([joint + 1 for joint in ANKLES])
+_FEET = np.array(FEET)
+
+
+class BalanceHistory:
+    """Follows fighter `index` of a simulation, sample by sample, and knows what its present frame shows.
+
+    plan: what its strategy wants; use (14,): share of its limit that each joint uses, of a human's strength where `plan` has no
+    limits; capture (2,) m: where its capture point is; loads: as `ground_loads` gives them.
+    """
+
+    def __init__(self, settings: Settings, index: int = 0) -> None:
+        self._settings, self.index = settings, index
+        self.history = History((*LOADS, *ERRORS, *BODY, *USE))
+        self.plan = PlannedBalance()
+        self.use, self._most_used = np.zeros(len(JOINTS)), np.zeros(len(JOINTS))
+        self._most_torque = 0.0
+        self.capture, self.loads = np.zeros(2), np.zeros(5)
+        self._frame, self._looked = 0, -1
+
+    def observe(self, simulation: Simulation, upright_s: float = math.nan) -> None:
+        """One frame of the simulation: torques are sampled by their peaks, the rest as it is at the sample."""
+        world, fighter = simulation.world, simulation.fighters[self.index]
+        body = world.characters[self.index]
+        self.plan = planned_balance(fighter, body)
+        torque = world.actuation.torque[body.joint_dofs]
+        self.use = torque_use(torque, *limits_or_strength(self.plan, fighter.plan, self._settings))
+        self._most_used = np.maximum(self._most_used, self.use)
+        self._most_torque = max(self._most_torque, largest(torque))
+        self._frame += 1
+        if self._frame % FRAMES_PER_SAMPLE == 0:
+            self.history.add(simulation.clock_s, self._row(simulation, upright_s))
+            self._most_used, self._most_torque = np.zeros(len(JOINTS)), 0.0
+
+    def look(self, simulation: Simulation) -> None:
+        """Bring `capture` and `loads` up to the present frame."""
+        if self._looked != self._frame:
+            body = simulation.world.characters[self.index]
+            self.capture = captured(body)
+            self.loads = ground_loads(simulation.world.meter.contacts, body.root_body)
+            self._looked = self._frame
+
+    def _row(self, simulation: Simulation, upright_s: float) -> Floats:
+        self.look(simulation)
+        body, target, plan = simulation.world.characters[self.index], simulation.fighters[self.index].target, self.plan
+        weight = body.subtree_mass[0] * body.gravity
+        row = np.empty(len(self.history.names))
+        row[:2] = self.loads[:2] / weight
+        row[2:4] = (math.nan, math.nan) if plan.loads_n is None else np.array(plan.loads_n) / weight
+        row[4] = _gap_cm(self.capture, plan.capture)
+        row[5] = _gap_cm(body.com, plan.com)
+        row[6:11] = following_errors(
+            body.orientation[0], body.joint, body.joint_rotation, target.root_orientation, target.pose.joint, target.joint_rotation
+        )
+        row[11] = self._most_torque
+        row[12:17] = body.com[2], target.com[2], body.com[0], body.com[1], upright_s
+        row[17:] = self._most_used
+        return row
+
+
+def captured(body: BodyDynamics) -> Floats:
+    """(2,) m, the capture point of a body above its lower foot."""
+    half = body.plan.size[FEET[0]] / 2.0
+    floor = min(lowest_corner(body.turn[foot], body.box_centre[foot], half) for foot in FEET)
+    return capture_point(body.com, body.com_velocity, natural_frequency(body.gravity, float(body.com[2]) - floor))
+
+
+def _gap_cm(place: Floats, wanted: Floats | None) -> float:
+    return math.nan if wanted is None else 100.0 * math.hypot(place[0] - wanted[0], place[1] - wanted[1])
+
+
+@compiled
+def following_errors(
+    root: Floats, joint: Floats, rotation: Floats, wanted_root: Floats, wanted_joint: Floats, wanted_rotation: Floats
+) -> Floats:
+    """(5,): farther wrist and ankle from the target's, relative to the root and in its heading (cm); the pelvis from the target's,
+    headings apart (degrees); mean and largest angle about any axis of the joints, parent frame (rad).
+
+    root (4,), joint (15, 3), rotation (14, 4) of the character; the wanted ones of the target.
+    """
+    out = np.zeros(5)
+    own = in_heading(joint, joint[0], root)
+    wanted = in_heading(wanted_joint, wanted_joint[0], wanted_root)
+    for side in range(2):
+        out[0] = max(out[0], 100.0 * one.length(own[_HANDS[side]] - wanted[_HANDS[side]]))
+        out[1] = max(out[1], 100.0 * one.length(own[_ANKLE_PARTS[side]] - wanted[_ANKLE_PARTS[side]]))
+    heading = one.about_z(one.yaw(root) - one.yaw(wanted_root))
+    x, y, z = one.turn_to(root, one.multiply(heading, wanted_root))
+    out[2] = math.degrees(math.sqrt(x * x + y * y + z * z))
+    total = 0.0
+    for j in range(len(rotation)):
+        for angle in one.turn_to(rotation[j], wanted_rotation[j]):
+            total += abs(angle)
+            out[4] = max(out[4], abs(angle))
+    out[3] = total / (3 * len(rotation))
+    return out
+
+
+@compiled
+def largest(torque: Floats) -> float:
+    """The largest size in `torque` (n,)."""
+    worst = 0.0
+    for t in torque:
+        worst = max(worst, abs(t))
+    return worst
