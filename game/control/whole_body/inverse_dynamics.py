@@ -17,6 +17,9 @@ from game.compiled import compiled
 Floats = NDArray[np.float64]
 
 _ROOT_ROWS = 6
+_SIDES = 8
+_PANEL = 3
+"""Columns that `cholesky` takes at a time; it unrolls them by hand, and 6 and 48 are multiples."""
 
 
 @compiled
@@ -40,45 +43,62 @@ def add_task(hessian: Floats, gradient: Floats, rows: Floats, weight: Floats, wa
 
 @compiled
 def cholesky(a: Floats) -> Floats:
-    """(n, n) lower triangular L with L L' = a; only a's lower triangle is read. Row by row from the right: loops that vectorise."""
+    """(n, n) lower triangular L with L L' = a; only a's lower triangle is read. Three columns at a time: loops that vectorise."""
     count = len(a)
     out = np.zeros((count, count))
-    column = np.empty(count)
+    column = np.empty((_PANEL, count))
     for i in range(count):
         for j in range(i + 1):
             out[i, j] = a[i, j]
-    for k in range(count):
-        pivot = math.sqrt(max(out[k, k], 1e-300))
-        out[k, k] = pivot
-        for i in range(k + 1, count):
-            column[i] = out[i, k] / pivot
-            out[i, k] = column[i]
-        for i in range(k + 1, count):
-            scale = column[i]
-            if scale != 0.0:
-                for j in range(k + 1, i + 1):
-                    out[i, j] -= scale * column[j]
+    for first in range(0, count, _PANEL):
+        last = min(first + _PANEL, count)
+        for k in range(first, last):
+            pivot = math.sqrt(max(out[k, k], 1e-300))
+            out[k, k] = pivot
+            for i in range(k + 1, count):
+                scale = out[i, k] / pivot
+                column[k - first, i] = scale
+                out[i, k] = scale
+                for j in range(k + 1, min(last, i + 1)):
+                    out[i, j] -= scale * column[k - first, j]
+        for i in range(last, count):
+            p, q, r = column[0, i], column[1, i], column[2, i]
+            for j in range(last, i + 1):
+                out[i, j] = out[i, j] - p * column[0, j] - q * column[1, j] - r * column[2, j]
     return out
 
 
 @compiled
 def solve_lower_both(lower: Floats, right: Floats) -> Floats:
     """(m, n) rows x with L L' x = right, one right-hand side a row."""
-    x = right.copy()
     count = len(lower)
-    for row in range(len(x)):
-        one_x = x[row]
+    out = np.empty((len(right), count))
+    # several right-hand sides side by side, empty ones among them: an inner loop of fixed length vectorises
+    x, one_x = np.empty((count, _SIDES)), np.empty(_SIDES)
+    for first in range(0, len(right), _SIDES):
+        sides = min(len(right) - first, _SIDES)
+        x[:] = 0.0
+        for side in range(sides):
+            x[:, side] = right[first + side]
         for i in range(count):
-            total = one_x[i]
+            one_x[:] = x[i]
             for k in range(i):
-                total -= lower[i, k] * one_x[k]
-            one_x[i] = total / lower[i, i]
+                scale = lower[i, k]
+                for side in range(_SIDES):
+                    one_x[side] -= scale * x[k, side]
+            for side in range(_SIDES):
+                x[i, side] = one_x[side] / lower[i, i]
         for i in range(count - 1, -1, -1):
-            value = one_x[i] / lower[i, i]
-            one_x[i] = value
+            for side in range(_SIDES):
+                one_x[side] = x[i, side] / lower[i, i]
+                x[i, side] = one_x[side]
             for k in range(i):
-                one_x[k] -= lower[i, k] * value
-    return x
+                scale = lower[i, k]
+                for side in range(_SIDES):
+                    x[k, side] -= scale * one_x[side]
+        for side in range(sides):
+            out[first + side] = x[:, side]
+    return out
 
 
 @compiled

@@ -47,6 +47,14 @@ def _columns(out: Floats, first: int, arm: Floats, turn: Floats) -> None:
 
 
 @compiled
+def sole_motions(left: Floats, right: Floats, joint: Floats, turn: Floats, velocity: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """`sole_motion` of the left and of the right sole."""
+    left_twist, left_product = sole_motion(0, left, joint, turn, velocity)
+    right_twist, right_product = sole_motion(1, right, joint, turn, velocity)
+    return left_twist, left_product, right_twist, right_product
+
+
+@compiled
 def sole_motion(side: int, sole: Floats, joint: Floats, turn: Floats, velocity: Floats) -> tuple[Floats, Floats]:
     """Twist (6,) of the sole and its acceleration (6,) at zero generalised acceleration; linear, angular, world frame."""
     spin = one.turn(turn[0], velocity[3:6])

@@ -15,18 +15,15 @@ from game.control.whole_body.capture_point import capture_point, natural_frequen
 from game.control.whole_body.contact_wrenches import cone_rows
 from game.control.whole_body.foot_goals import flight_task, foot_task, wish_of
 from game.control.whole_body.footing import PRESSURE_MARGIN_M, Footing
-from game.control.whole_body.hold_damping import held_speed, hold_damping
-from game.control.whole_body.inverse_dynamics import eliminate
-from game.control.whole_body.joint_limits import soft_limits
-from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration
+from game.control.whole_body.hold_damping import hold
 from game.control.whole_body.leap import ComHeight, taking_off
-from game.control.whole_body.leg_kinematics import sole_motion
+from game.control.whole_body.leg_kinematics import sole_motions
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.player_stance import PlayerStance
+from game.control.whole_body.posed_tick import Body, Numbers, Wanted, pose_and_answer
 from game.control.whole_body.sole import Sole, sole_of
 from game.control.whole_body.support_polygon import nearest_inside
-from game.control.whole_body.task_stack import add_com, add_sole, add_spin, diagonal_tasks, wrench_rows
-from game.control.whole_body.torque_limits import Problem, limits_at, within_limits
+from game.control.whole_body.torque_limits import Problem, within_limits
 from game.target.kinematic_target import KinematicTarget
 from game.tunables import Settings
 
@@ -57,6 +54,7 @@ def _joint_weight(standing: tuple[int, ...]) -> Floats:
     return np.repeat(out, 3)
 
 
+_STANDING: dict[tuple[bool, bool], tuple[int, ...]] = {(False, False): (), (True, False): (0,), (False, True): (1,), (True, True): (0, 1)}
 _JOINT_WEIGHT: dict[tuple[int, ...], Floats] = {standing: _joint_weight(standing) for standing in ((), (0,), (1,), (0, 1))}
 
 
@@ -80,6 +78,7 @@ class WholeBody:
         self._ready = True
         self.footing = Footing()
         self._strength = np.array(joint_strength(dynamics.plan))
+        self._total_mass = float(dynamics.subtree_mass[0])
         self._hanging.reset(dynamics)
         self._window = MotionWindow()
         self._player = PlayerStance(float(dynamics.plan.joint[FEET[0], 2]))
@@ -147,57 +146,53 @@ class WholeBody:
         return self._goal
 
     def _solve(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole], frequency: float, dt: float) -> JointCommand:
-        settings = self._settings
         mass, bias = body.equations
-        velocity = body.velocity
-        inertia = mass.diagonal()[6:]
+        velocity, rotation = body.velocity, body.joint_rotation
         feet = self.footing.feet
-        standing = tuple(side for side in range(2) if feet[side].stands and soles[side].touches)
-        strength = settings.number("whole_body.strength") * self._strength
-        strongest = np.maximum(-strength[0], strength[1])
-        low, high = limits_at(strength[0], strength[1], velocity[6:])
-        self.standing, self.limits = standing, (low, high)
-        weight = _JOINT_WEIGHT[standing].copy()
-        hessian, gradient = self._joint_tasks(motion, body, velocity, weight, 0.7 * strongest / inertia)
-        rows = []
-        for side, sole in enumerate(soles):
-            twist, product = sole_motion(side, sole.centre, body.joint, body.turn, velocity)
-            if self.footing.flying:
-                task_weight, goal = flight_task(side, sole, twist, self.xi, motion, self._player, self._wish, body)
-            else:
-                task_weight, goal = foot_task(side, sole, feet[side], twist, motion, self._player, self._wish, body)
-            jacobian = add_sole(hessian, gradient, side, sole.centre, body.joint, body.turn, task_weight, goal - product)
-            if side in standing:
-                rows.append(wrench_rows(jacobian, body.turn[FEET[side]]))
+        pushes = (feet[0].stands and soles[0].touches, feet[1].stands and soles[1].touches)
+        standing = _STANDING[pushes]
+        left_twist, left_product, right_twist, right_product = sole_motions(
+            soles[0].centre, soles[1].centre, body.joint, body.turn, velocity
+        )
+        left = self._sole_task(0, soles[0], left_twist, motion, body)
+        right = self._sole_task(1, soles[1], right_twist, motion, body)
+        com_goal = np.zeros(3)
         if standing:
-            com_goal = np.empty(3)
             com_goal[:2] = frequency**2 * (body.com[:2] - self.pressure)
             com_goal[2] = self._height.acceleration(motion, self._window, self._player, self.footing, body)
-            add_com(hessian, gradient, mass, bias, body.gravity, body.subtree_mass[0], _COM_WEIGHT, com_goal)
-        spin_weight = settings.number("whole_body.spin_weight")
-        self.momentum = add_spin(hessian, gradient, mass, bias, velocity, body.turn[0], body.com - body.joint[0], spin_weight, 2.0)
-        lower, response, schur_inverse = eliminate(hessian, mass)
-        stacked = np.concatenate(rows) if rows else _NO_ROWS
-        cone, price = self._cone(soles[0], standing), _PRICE[: len(stacked)]
-        problem = Problem(gradient, lower, response, schur_inverse, mass, bias, stacked, price, cone, standing)
-        self.torque, acceleration, self.wrench = within_limits(problem, PLANNED * low, PLANNED * high, weight, inertia)
-        self.com_target[2] = self._player.place(motion.place[3])[2]
-        firmness = np.maximum(inertia / dt, strongest / HELD_BY_RAD_S)
-        damping = hold_damping(settings.number("whole_body.hold") * firmness, self.torque, low, high)
-        # the velocity that the damping meets in the middle of the steps it acts in
-        reference = held_speed(velocity[6:], 0.56 * dt * acceleration[6:])
-        return JointCommand(body.joint_rotation, reference, _NOTHING, damping, self.torque)
-
-    def _joint_tasks(self, motion: Motion, body: BodyState, velocity: Floats, weight: Floats, largest: Floats) -> tuple[Floats, Floats]:
-        settings = self._settings
-        goal = joint_accelerations(
-            body.joint_rotation, velocity[6:], motion.joint, motion.spin[:JOINT_COUNT], motion.spin_rate[:JOINT_COUNT],
-            settings.number("whole_body.pose_stiffness"), settings.number("whole_body.pose_damping"), largest,
+        number = self._settings.number
+        numbers = Numbers(
+            number("whole_body.pose_stiffness"), number("whole_body.pose_damping"), number("whole_body.pelvis_weight"),
+            number("whole_body.spin_weight"), number("whole_body.hold"), PLANNED, HELD_BY_RAD_S, dt,
         )  # fmt: skip
-        soft_limits(body.joint_rotation, velocity[6:], weight, goal)
-        upright, spin = self._player.orientation(motion.root), motion.spin[JOINT_COUNT]
-        root = turn_acceleration(body.orientation[0], velocity[3:6], upright, spin, 200.0, 26.0, 60.0)
-        return diagonal_tasks(weight, goal, settings.number("whole_body.pelvis_weight"), root)
+        posed, answer = pose_and_answer(
+            Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
+            Wanted(
+                motion.turn, motion.spin, motion.spin_rate, self._player.orientation(motion.root),
+                (soles[0].centre, soles[1].centre), (left[0], right[0]), (left[1], right[1]),
+                (left_product, right_product), pushes, com_goal, _COM_WEIGHT,
+            ),
+            numbers, number("whole_body.strength") * self._strength, _JOINT_WEIGHT[standing],
+            _PRICE[: 6 * len(standing)], self._cone(soles[0], standing),
+        )  # fmt: skip
+        self.standing, self.limits, self.momentum = standing, (posed.low, posed.high), posed.momentum
+        self.torque, acceleration, self.wrench = answer.torque, answer.acceleration, answer.wrench
+        if not answer.within:
+            problem = Problem(
+                posed.gradient, posed.lower, posed.response, posed.schur_inverse, mass, bias, posed.jacobian,
+                _PRICE[: 6 * len(standing)], self._cone_rows, standing,
+            )  # fmt: skip
+            limits = PLANNED * posed.low, PLANNED * posed.high
+            self.torque, acceleration, self.wrench = within_limits(problem, *limits, posed.weight, posed.inertia)
+        self.com_target[2] = self._player.place(motion.place[3])[2]
+        damping, reference = hold(posed.firmness, self.torque, posed.low, posed.high, velocity, acceleration, dt)
+        return JointCommand(rotation, reference, _NOTHING, damping, self.torque)
+
+    def _sole_task(self, side: int, sole: Sole, twist: Floats, motion: Motion, body: BodyState) -> tuple[Floats, Floats]:
+        """Weights (6,) and acceleration (6,) of a sole."""
+        if self.footing.flying:
+            return flight_task(side, sole, twist, self.xi, motion, self._player, self._wish, body)
+        return foot_task(side, sole, self.footing.feet[side], twist, motion, self._player, self._wish, body)
 
     def _cone(self, sole: Sole, standing: tuple[int, ...]) -> Floats:
         friction = 0.9 * min(self._settings.number("physics.friction"), 1.0)
