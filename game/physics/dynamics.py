@@ -1,16 +1,18 @@
 """A read-only view of one character's dynamics, for control, scenes and reports. World frame, SI units."""
 
-from functools import cached_property
-
 import mujoco as mj
 import numpy as np
 from numpy.typing import NDArray
 
+from game import rotation_compiled as one
 from game.characters.body_plan import BodyPlan
-from game.characters.skeleton import DOF_COUNT, FEET, PART_COUNT
+from game.characters.skeleton import DOF_COUNT, FEET, PARENT, PART_COUNT
 from game.compiled import compiled
 
 Floats = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+_PARENT = np.array(PARENT)
 
 POSITION_COUNT = 63
 """Root position 3 and quaternion 4, fourteen joint quaternions."""
@@ -40,6 +42,7 @@ class BodyDynamics:
         self._turn, self._orientation = data.xmat[self.bodies].reshape(-1, 3, 3), data.xquat[self.bodies]
         self._joint, self._box_centre = data.xpos[self.bodies], data.xipos[self.bodies]
         self._subtree_com, self._gravity = data.subtree_com[self.bodies], model.opt.gravity
+        self._sparse_mass = data.M, model.M_rownnz, model.M_rowadr, model.M_colind
         self.refresh()
 
     def refresh(self) -> None:
@@ -50,8 +53,9 @@ class BodyDynamics:
         self.box_centre: Floats = self._box_centre.copy()
         self.subtree_com: Floats = self._subtree_com.copy()
         self.com: Floats = self.subtree_com[0]
-        for name in ("_com_velocity", "foot_corners", "_foot_contact", "com_jacobian", "_equations"):
-            self.__dict__.pop(name, None)
+        self._com_velocity: Floats | None = None
+        self._foot_contact: tuple[bool, bool] | None = None
+        self._equations: tuple[Floats, Floats] | None = None
 
     @property
     def gravity(self) -> float:
@@ -81,33 +85,27 @@ class BodyDynamics:
     @property
     def equations(self) -> tuple[Floats, Floats]:
         """Mass matrix (48, 48) and bias forces (48,) of the state at the last refresh."""
+        if self._equations is None:
+            model, data = self._model, self._data
+            mj.mj_crb(model, data)
+            mj.mj_comVel(model, data)
+            bias = np.empty(model.nv)
+            mj.mj_rne(model, data, 0, bias)
+            self._equations = dense_mass(*self._sparse_mass, self.dofs.start), bias[self.dofs]
         return self._equations
 
-    @cached_property
-    def _equations(self) -> tuple[Floats, Floats]:
-        model, data = self._model, self._data
-        mj.mj_crb(model, data)
-        mj.mj_comVel(model, data)
-        bias = np.empty(model.nv)
-        mj.mj_rne(model, data, 0, bias)
-        full = np.empty((model.nv, model.nv))
-        mj.mj_fullM(model, data, full)
-        return np.ascontiguousarray(full[self.dofs, self.dofs]), bias[self.dofs]
-
-    @cached_property
+    @property
     def com_jacobian(self) -> Floats:
         """(3, 48) of the centre of mass."""
         full = np.empty((3, self._model.nv))
         mj.mj_jacSubtreeCom(self._model, self._data, full, self.root_body)
         return full[:, self.dofs]
 
-    @cached_property
-    def _com_velocity(self) -> Floats:
-        return self.com_jacobian @ self._velocity
-
     @property
     def com_velocity(self) -> Floats:
         """(3,) m/s."""
+        if self._com_velocity is None:
+            self._com_velocity = mean_velocity(self._velocity, self.turn, self.joint, self.box_centre, self.plan.mass)
         return self._com_velocity
 
     @property
@@ -127,20 +125,18 @@ class BodyDynamics:
         """(48,) Coriolis, centrifugal and gravity forces."""
         return self._data.qfrc_bias[self.dofs].copy()
 
-    @cached_property
+    @property
     def foot_corners(self) -> Floats:
         """(2, 8, 3) corners of the left and right foot box."""
         feet = list(FEET)
         local = self._foot_half[:, None, :] * _CORNERS
         return self.box_centre[feet][:, None, :] + local @ self.turn[feet].transpose(0, 2, 1)
 
-    @cached_property
-    def _foot_contact(self) -> tuple[bool, bool]:
-        return feet_on_floor(self.turn, self.box_centre, self._foot_half)
-
     @property
     def foot_contact(self) -> tuple[bool, bool]:
         """Left, right foot: lowest corner below 4 mm."""
+        if self._foot_contact is None:
+            self._foot_contact = feet_on_floor(self.turn, self.box_centre, self._foot_half)
         return self._foot_contact
 
     def com_height(self) -> float:
@@ -161,3 +157,34 @@ def feet_on_floor(turn: Floats, box_centre: Floats, half: Floats) -> tuple[bool,
         lowest_corner(turn[left], box_centre[left], half[0]) < CONTACT_HEIGHT_M,
         lowest_corner(turn[right], box_centre[right], half[1]) < CONTACT_HEIGHT_M,
     )
+
+
+@compiled
+def dense_mass(mass: Floats, row_count: Indices, row_start: Indices, column: Indices, first: int) -> Floats:
+    """(48, 48) of the character whose rows begin at `first`, from MuJoCo's rows: what lies on and left of the diagonal."""
+    out = np.zeros((DOF_COUNT, DOF_COUNT))
+    for row in range(DOF_COUNT):
+        start = row_start[first + row]
+        for at in range(start, start + row_count[first + row]):
+            other = column[at] - first
+            out[row, other] = mass[at]
+            out[other, row] = mass[at]
+    return out
+
+
+@compiled
+def mean_velocity(velocity: Floats, turn: Floats, joint: Floats, box_centre: Floats, mass: Floats) -> Floats:
+    """(3,) m/s of the centre of mass: the mean of the parts' velocities by mass; velocity (48,), mass (15,), the rest as `BodyDynamics`."""
+    spin, at_joint = np.empty((PART_COUNT, 3)), np.empty((PART_COUNT, 3))
+    out, total = np.zeros(3), 0.0
+    for part in range(PART_COUNT):
+        own = one.turn(turn[part], velocity[3 + 3 * part : 6 + 3 * part])
+        if part == 0:
+            spin[0], at_joint[0] = own, velocity[:3]
+        else:
+            parent = _PARENT[part]
+            spin[part] = spin[parent] + own
+            at_joint[part] = at_joint[parent] + one.cross(spin[parent], joint[part] - joint[parent])
+        out += mass[part] * (at_joint[part] + one.cross(spin[part], box_centre[part] - joint[part]))
+        total += mass[part]
+    return out / total

@@ -58,11 +58,14 @@ class HonestyMeter:
         self._pairs = np.zeros((model.nbody, model.nbody), dtype=np.bool_)
         self.worst_cone_excess_n = 0.0
         self._contacts: ContactForces | None = None
+        self.ends = 0
+        """Counts the ends of steps and whatever else was taken for one."""
         self.accept_state()
 
     def accept_state(self) -> None:
         """The present state is where the last step ended (after a stated placement or a roll-back)."""
         copy_state(self._position, self._velocity, self._end_position, self._end_velocity)
+        self.ends += 1
         self._contacts_read = False
 
     def continues(self) -> bool:
@@ -98,6 +101,7 @@ class HonestyMeter:
         self._contacts_read = False
         if excess != excess:
             return False
+        self.ends += 1
         if active:
             self.worst_cone_excess_n = max(self.worst_cone_excess_n, excess)
             if pushes:

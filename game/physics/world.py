@@ -60,6 +60,7 @@ class World:
         self.step_count = 0
         self.guard_actions = 0
         self.faults: list[str] = []
+        self._refreshed_at = -1
         self._pushes: list[tuple[int, Push]] = []
         self.stated_pushes: list[dict[str, object]] = []
         """Every push a scene stated: step, character, part, force (N), steps."""
@@ -83,6 +84,10 @@ class World:
 
     def refresh(self) -> None:
         """Bring kinematics up to the present state, for control and drawing."""
+        ends = self.meter.ends
+        if self._refreshed_at == ends and self.meter.continues():
+            return
+        self._refreshed_at = ends if self.meter.continues() else -1
         mj.mj_kinematics(self.model, self.data)
         mj.mj_comPos(self.model, self.data)
         for body in self.characters:

@@ -24,6 +24,7 @@ class Simulation:
         self._settings = settings
         self.world = World([f.plan for f in fighters], settings)
         self.frames_run = 0
+        self._settings_seen, self._command_steps = -1, 1
         self.stage_s = {"target": 0.0, "control": 0.0, "physics": 0.0}
         self.hang_again()
 
@@ -81,7 +82,10 @@ class Simulation:
         return fighter.first_frame.time_s + (self.frames_run + 1) / FRAME_HZ
 
     def _steps_per_command(self) -> int:
-        return max(1, round(self.world.steps_per_frame * FRAME_HZ / float(self._settings.choice("control.rate_hz"))))
+        if self._settings.version != self._settings_seen:
+            self._settings_seen = self._settings.version
+            self._command_steps = max(1, round(self.world.steps_per_frame * FRAME_HZ / float(self._settings.choice("control.rate_hz"))))
+        return self._command_steps
 
     def _spent(self, stage: str, since: float) -> float:
         now = time.perf_counter()
