@@ -1,7 +1,6 @@
 """What a sensor may have got wrong: lost joints are held, inferred ones slowed, impossible frames refused with a reason."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +9,8 @@ from game.compiled import compiled
 from kinect.body import JOINT_COUNT, BodyFrame, Joint
 
 Floats = NDArray[np.float64]
+
+_ROOT = int(Joint.HIP_CENTER)
 
 INFERRED_BLEND = 0.5
 INFERRED_SPEED_M_S = 2.5
@@ -47,13 +48,13 @@ class Plausibility:
             return f"a frame's time does not advance ({frame.time_s:.3f} s): it is dropped"
         if last is not None and _all_seen(frame.positions, frame.confidence):
             return self._jump(frame, last, jump_limit_m)
-        seen = np.logical_and.reduce(np.isfinite(frame.positions), axis=1) & (frame.confidence > 0.0)
-        if not seen[Joint.HIP_CENTER]:
+        count, root_seen = _seen(frame.positions, frame.confidence)
+        if not root_seen:
             return "the hip centre is lost: the last pose is held"
-        if last is None and not seen.all():
+        if last is None and count < JOINT_COUNT:
             return "not all joints are seen yet: step back until your whole body is in view"
-        if seen.sum() < JOINT_COUNT // 2:
-            return f"only {int(seen.sum())} of 20 joints are seen: the last pose is held"
+        if count < JOINT_COUNT // 2:
+            return f"only {count} of 20 joints are seen: the last pose is held"
         return "" if last is None else self._jump(frame, last, jump_limit_m)
 
     def _jump(self, frame: BodyFrame, last: BodyFrame, jump_limit_m: float) -> str:
@@ -66,18 +67,11 @@ class Plausibility:
     def _repair(self, frame: BodyFrame) -> BodyFrame:
         if _all_seen(frame.positions, frame.confidence):
             return frame
-        finite = np.isfinite(frame.positions).all(axis=1)
-        confidence = np.where(finite, np.nan_to_num(frame.confidence), 0.0)
-        if self._last is None or (confidence >= 1.0).all():
+        if self._last is None:
             return frame
-        root = frame.positions[Joint.HIP_CENTER]
-        held = self._last.positions + (root - self._last.positions[Joint.HIP_CENTER])
-        step = np.where(np.expand_dims(finite, 1), frame.positions, held) - held
-        length = np.sqrt(np.sum(step * step, axis=1))
         reach = INFERRED_SPEED_M_S * (frame.time_s - self._last.time_s)
-        share = np.minimum(INFERRED_BLEND, reach / np.maximum(length, 1e-9))
-        share = np.where(confidence >= 1.0, 1.0, np.where(confidence > 0.0, share, 0.0))
-        return replace(frame, positions=held + share[:, None] * step, confidence=confidence)
+        positions, confidence = _repaired(frame.positions, frame.confidence, self._last.positions, reach)
+        return BodyFrame(frame.time_s, positions, confidence, frame.player, frame.floor, frame.metric)
 
 
 @compiled
@@ -90,3 +84,37 @@ def _all_seen(positions: Floats, confidence: Floats) -> bool:
             if not math.isfinite(positions[joint, axis]):
                 return False
     return True
+
+
+@compiled
+def _seen(positions: Floats, confidence: Floats) -> tuple[int, bool]:
+    """How many joints are finite and not lost, and whether the hip centre is."""
+    count, root = 0, False
+    for joint in range(len(positions)):
+        finite = math.isfinite(positions[joint, 0]) and math.isfinite(positions[joint, 1]) and math.isfinite(positions[joint, 2])
+        if finite and confidence[joint] > 0.0:
+            count += 1
+            root = root or joint == _ROOT
+    return count, root
+
+
+@compiled
+def _repaired(positions: Floats, confidence: Floats, last: Floats, reach_m: float) -> tuple[Floats, Floats]:
+    """Joints (20, 3) and their confidence (20,): a lost one stays where it was against the hip centre in `last` (20, 3), an inferred one
+    goes half of the way from there, at most `reach_m`."""
+    out, sure = np.empty_like(positions), np.empty_like(confidence)
+    held, step = np.empty(3), np.empty(3)
+    for joint in range(len(positions)):
+        finite = math.isfinite(positions[joint, 0]) and math.isfinite(positions[joint, 1]) and math.isfinite(positions[joint, 2])
+        sure[joint] = confidence[joint] if finite and not math.isnan(confidence[joint]) else 0.0
+        total = 0.0
+        for axis in range(3):
+            held[axis] = last[joint, axis] + (positions[_ROOT, axis] - last[_ROOT, axis])
+            step[axis] = positions[joint, axis] - held[axis] if finite else 0.0
+            total += step[axis] * step[axis]
+        share = min(INFERRED_BLEND, reach_m / max(math.sqrt(total), 1e-9)) if sure[joint] > 0.0 else 0.0
+        if sure[joint] >= 1.0:
+            share = 1.0
+        for axis in range(3):
+            out[joint, axis] = held[axis] + share * step[axis]
+    return out, sure

@@ -4,7 +4,7 @@ A quadratic is fitted to the last frames in the tangent space of the middle one.
 it gives the pose with little noise; the newest frames themselves tell balance, ahead of time, where the weight is going.
 """
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +19,12 @@ Floats = NDArray[np.float64]
 FRAMES = 9
 """At most so many frames are kept; how many count is a matter of time."""
 
-_ROOT, _FEET = JOINT_COUNT, (JOINT_COUNT + 1, JOINT_COUNT + 2)
+_ROOT = JOINT_COUNT
 _TURNS, _PLACES = JOINT_COUNT + 3, 4
 _COM = 3
 
 
-@dataclass(frozen=True)
-class Motion:
+class Motion(NamedTuple):
     """A moment of the target's motion, in the player's world frame.
 
     turn (17, 4): fourteen joints (child in parent), the root, left and right foot (world); spin, spin_rate (17, 3) in the turned
@@ -52,46 +51,64 @@ class MotionWindow:
     """Keeps the last frames; `add` a frame when it comes, ask for a `moment` whenever control needs one."""
 
     def __init__(self) -> None:
-        self._times = np.zeros(0)
-        self._turns = np.zeros((0, _TURNS, 4))
-        self._places = np.zeros((0, _PLACES, 3))
-        self._fit: tuple[Floats, Floats, Floats] | None = None
+        self._count = 0
+        self._times, self._turns, self._places = np.zeros(FRAMES), np.zeros((FRAMES, _TURNS, 4)), np.zeros((FRAMES, _PLACES, 3))
+        self._fit: list[Floats] = []
         self._com_velocity = np.zeros(3)
 
     @property
     def newest_s(self) -> float:
-        return float(self._times[-1])
+        return float(self._times[self._count - 1])
 
     @property
     def newest_places(self) -> Floats:
         """(4, 3) root, ankles, COM of the newest frame."""
-        return self._places[-1]
+        return self._places[self._count - 1]
 
     def add(self, target: KinematicTarget, span_s: float) -> None:
         """Take a frame in; frames older than `span_s` before it are forgotten, but three are always kept where there are three."""
-        turns = np.vstack((target.joint_rotation, target.root_orientation[None], target.pose.orientation[list(FEET)]))
-        places = np.vstack((target.root_position[None], target.pose.joint[list(FEET)], target.com[None]))
-        if len(self._times) and target.time_s <= self._times[-1]:
-            self._times, self._turns, self._places = self._times[:0], self._turns[:0], self._places[:0]
-        self._times = np.append(self._times, target.time_s)[-FRAMES:]
-        self._turns = np.concatenate((self._turns, turns[None]))[-FRAMES:]
-        self._places = np.concatenate((self._places, places[None]))[-FRAMES:]
-        keep = max(3, int(np.count_nonzero(self._times >= target.time_s - span_s - 1e-6)))
-        self._times, self._turns, self._places = self._times[-keep:], self._turns[-keep:], self._places[-keep:]
-        self._fit = _fit(self._times, self._turns, self._places)
-        self._com_velocity = _slope(self._times, self._places)
+        pose = target.pose
+        self._count, *fit, self._com_velocity = _take(
+            self._times, self._turns, self._places, self._count, span_s, target.time_s, target.joint_rotation, target.root_orientation,
+            pose.orientation, target.root_position, pose.joint, target.com,
+        )  # fmt: skip
+        self._fit = fit
 
     def moment(self, time_s: float) -> Motion:
         """The motion at `time_s`, held within the window."""
-        assert self._fit is not None
         middle, turn_terms, place_terms = self._fit
-        last = len(self._times) - 1
-        since = min(max(time_s, self._times[0]), self._times[-1] + 0.5 / 30.0) - self._times[last // 2]
+        last = self._count - 1
+        since = min(max(time_s, self._times[0]), self._times[last] + 0.5 / 30.0) - self._times[last // 2]
         return Motion(*_evaluate(middle, turn_terms, place_terms, since))
 
     def com_velocity(self) -> Floats:
         """(3,) m/s of the COM over the window, by a straight line: less noisy at its end than the parabola."""
         return self._com_velocity
+
+
+@compiled
+def _take(
+    times: Floats, turns: Floats, places: Floats, count: int, span_s: float, time_s: float, joint_rotation: Floats,
+    root_orientation: Floats, orientation: Floats, root_position: Floats, joint: Floats, com: Floats,
+) -> tuple[int, Floats, Floats, Floats, Floats]:  # fmt: skip
+    """Put a frame behind the `count` first ones, drop the old ones from the front; gives how many there are, `_fit` and `_slope`."""
+    if count > 0 and time_s <= times[count - 1]:
+        count = 0
+    drop = 1 if count == FRAMES else 0
+    while count - drop >= 3 and times[drop] < time_s - span_s - 1e-6:
+        drop += 1
+    count -= drop
+    for k in range(count):
+        times[k], turns[k], places[k] = times[k + drop], turns[k + drop], places[k + drop]
+    times[count] = time_s
+    turns[count, :JOINT_COUNT], turns[count, JOINT_COUNT] = joint_rotation, root_orientation
+    places[count, 0], places[count, _COM] = root_position, com
+    for side in range(2):
+        turns[count, JOINT_COUNT + 1 + side] = orientation[FEET[side]]
+        places[count, 1 + side] = joint[FEET[side]]
+    count += 1
+    middle, turn_terms, place_terms = _fit(times[:count], turns[:count], places[:count])
+    return count, middle, turn_terms, place_terms, _slope(times[:count], places[:count])
 
 
 @compiled

@@ -54,6 +54,7 @@ def _joint_weight(standing: tuple[int, ...]) -> Floats:
     return np.repeat(out, 3)
 
 
+_FEET = slice(FEET[0], FEET[1] + 1, FEET[1] - FEET[0])
 _STANDING: dict[tuple[bool, bool], tuple[int, ...]] = {(False, False): (), (True, False): (0,), (False, True): (1,), (True, True): (0, 1)}
 _JOINT_WEIGHT: dict[tuple[int, ...], Floats] = {standing: _joint_weight(standing) for standing in ((), (0,), (1,), (0, 1))}
 
@@ -109,7 +110,7 @@ class WholeBody:
 
     def _listen(self, target: KinematicTarget, dynamics: BodyState, dt: float) -> None:
         self._since_s += dt
-        ankles = dynamics.joint[list(FEET)]
+        ankles = dynamics.joint[_FEET]
         if self._last is None:
             self._player.settle(target, ankles, one.yaw(dynamics.orientation[0]))
         if target is not self._last:
