@@ -14,23 +14,24 @@ SHOWN_STAGES = ("update", "draw", "overlay")
 
 
 def view_of_scene(app: App) -> View:
-    """Plots are only gathered while they are open, since a scene may take its time to lay them out."""
+    """Plots and stages are only gathered for a frame that is to show them anew, since a scene may take its time to lay them out."""
     overlay, actions, scene = app.picture.overlay, app.actions, app.scene
-    plots_open = overlay is not None and overlay.shown.plots
+    now_s = app.now_s
+    plots_due = overlay is not None and overlay.plots_due(now_s)
     readouts = scene.readouts()
     messages = scene.messages()
     return View(
         scene=scene.name,
         settings=app.settings,
-        now_s=app.now_s,
+        now_s=now_s,
         time_s=scene.time_s,
         score=scene.score(),
         status=_status(readouts, messages),
         messages=messages,
         help_keys=scene.help_keys(),
         labels=tuple(PlacedLabel(x, y, label.text, label.colour) for x, y, label in app.picture.labels()),
-        plots=scene.plots() if plots_open else (),
-        stage_ms=_stages(app, readouts) if plots_open else {},
+        plots=scene.plots() if plots_due else (),
+        stage_ms=_stages(app, readouts) if plots_due else {},
         upright_s=_number(readouts, "upright_s"),
         fell=_fell(readouts),
         speed=app.pace.speed,

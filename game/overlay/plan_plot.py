@@ -12,7 +12,7 @@ Places = list[tuple[float, float]]
 LEAST_REACH_M, MARGIN_M = 0.2, 0.05
 GRID_M = 0.1
 LEGEND_EM = 2.2
-SMALL = 0.7
+SMALL, TINY = 0.7, 0.65
 
 FEET: dict[str, tuple[Rgba, str]] = {
     "stands": (INK, "stands"),
@@ -99,8 +99,8 @@ def _draw_grid(sheet: Sheet, x: float, y: float, width: float, height: float, sc
         sheet.box(x, top - k * step, width, 1.0, _GRID)
     end, bottom = x + width - 0.5 * em, y + height - 0.45 * em
     sheet.line(end - step, bottom, end, bottom, FAINT, 0.1 * em)
-    sheet.words_to(end, bottom - 0.95 * em, f"{100 * step / scale:.0f} cm", FAINT, 0.65)
-    sheet.words(x + 0.4 * em, y + 0.2 * em, "front", FAINT, 0.65)
+    sheet.words_to(end, bottom - 0.95 * em, f"{100 * step / scale:.0f} cm", FAINT, TINY)
+    sheet.words(x + 0.4 * em, y + 0.2 * em, "front", FAINT, TINY)
 
 
 def _draw_places(sheet: Sheet, name: str, look: str, places: Places) -> None:
@@ -127,7 +127,11 @@ def _draw_other(sheet: Sheet, place: tuple[float, float], x: float, y: float, wi
     sheet.dot(*held, 0.22 * em, OTHER)
     beyond = math.dist(place, held) / scale
     if beyond > 0.01:
-        sheet.words(min(held[0] + 0.4 * em, x + width - 6.0 * em), held[1] - 0.2 * em, f"{100 * beyond:.0f} cm beyond", OTHER, 0.65)
+        words, top = f"{100 * beyond:.0f} cm beyond", min(held[1] - 0.3 * em, y + height - 0.9 * em)
+        if held[0] < x + width / 2:
+            sheet.words(held[0] + 0.5 * em, top, words, OTHER, TINY)
+        else:
+            sheet.words_to(held[0] - 0.5 * em, top, words, OTHER, TINY)
 
 
 def _draw_legend(sheet: Sheet, plot: Plot, x: float, y: float) -> None:

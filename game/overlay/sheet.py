@@ -21,6 +21,7 @@ class Sheet:
         self.em = 1.0
         self._left = self._top = 0.0
         self._curves = 0
+        self._widths: dict[tuple[str, bool], float] = {}
 
     def begin(self, width: float, height: float) -> bool:
         """Take up the next `height` of the current window; False where it is out of sight and there is nothing to draw or to end."""
@@ -62,9 +63,9 @@ class Sheet:
         implot.plot_line(_NAMES[self._curves % len(_NAMES)], x, y, _pen(colour, weight))
 
     def words(self, x: float, y: float, text: str, colour: Rgba = INK, size: float = 0.75, strong: bool = False) -> None:
-        """One line with its top left at (x, y); size in em."""
+        """One line with its top left at (x, y); size in em, rounded to whole units, where letters are sharp."""
         font = self.fonts.strong if strong else self.fonts.text
-        self.ink.add_text(font, size * self.em, ImVec2(self._left + x, self._top + y), packed(colour), text)
+        self.ink.add_text(font, round(size * self.em), ImVec2(self._left + x, self._top + y), packed(colour), text)
 
     def words_to(self, x: float, y: float, text: str, colour: Rgba = INK, size: float = 0.75, strong: bool = False) -> None:
         """One line with its top right at (x, y)."""
@@ -72,8 +73,16 @@ class Sheet:
 
     def width(self, text: str, size: float = 0.75, strong: bool = False) -> float:
         """Of one line of text."""
-        font = self.fonts.strong if strong else self.fonts.text
-        return _width(font, text) * size * self.em
+        key = (text, strong)
+        known = self._widths.get(key)
+        if known is None:
+            if len(self._widths) > 1000:
+                self._widths.clear()
+            # in em, measured once: letters of a vector font grow with its size
+            imgui.push_font(self.fonts.strong if strong else self.fonts.text, imgui.get_style().font_size_base)
+            known = self._widths[key] = imgui.calc_text_size(text).x / imgui.get_font_size()
+            imgui.pop_font()
+        return known * round(size * self.em)
 
     def box(self, x: float, y: float, width: float, height: float, colour: Rgba, rounding: float = 0.0) -> None:
         x, y = self._left + x, self._top + y
@@ -114,19 +123,3 @@ def _pen(colour: Rgba, weight: float) -> implot.Spec:
     spec.line_color = ImVec4(*colour)
     spec.line_weight = weight
     return spec
-
-
-_WIDTHS: dict[tuple[int, str], float] = {}
-
-
-def _width(font: imgui.ImFont, text: str) -> float:
-    """In em, measured once: letters of a vector font grow with its size."""
-    key = (id(font), text)
-    known = _WIDTHS.get(key)
-    if known is None:
-        if len(_WIDTHS) > 1000:
-            _WIDTHS.clear()
-        imgui.push_font(font, imgui.get_style().font_size_base)
-        known = _WIDTHS[key] = imgui.calc_text_size(text).x / imgui.get_font_size()
-        imgui.pop_font()
-    return known

@@ -124,7 +124,8 @@ def span_of(values: Sequence[Floats]) -> tuple[float, float]:
         return -size, size
     if least > 0.75 * most:
         step = round_up(max(most - least, 0.05 * most))
-        return step * math.floor(least / step), step * math.ceil(most / step)
+        first = math.floor(least / step)
+        return step * first, step * max(math.ceil(most / step), first + 1)
     return 0.0, round_up(most)
 
 

@@ -4,7 +4,7 @@ import ctypes
 from typing import Any
 
 import glfw
-from imgui_bundle import ImVec2, imgui, implot
+from imgui_bundle import imgui
 
 from game.overlay.depth_panel import DepthPanel
 from game.overlay.hud import Hud
@@ -28,7 +28,6 @@ class Overlay:
         self._handle = handle
         self._context = imgui.create_context()
         self._closed = False
-        self._plots = implot.create_context()
         io = imgui.get_io()
         io.set_ini_filename("")  # positions are the layout's business, and no imgui.ini is left in the working directory
         io.set_log_filename("")
@@ -40,7 +39,7 @@ class Overlay:
         self.panel = TuningPanel(self.fonts)
         self.menu = Menu(self.fonts)
         self.depth = DepthPanel(self.fonts)
-        self.plots = PlotsPanel(self.fonts)
+        self.plots = PlotsPanel()
         self._scale = 0.0
         self._ink: Ink | None = None
         self._rescale()
@@ -68,25 +67,31 @@ class Overlay:
         """Overlay units per pixel of the design at 720 lines."""
         return self._scale
 
+    def plots_due(self, now_s: float) -> bool:
+        """Whether the view of the frame at `now_s` needs plots and stages."""
+        return self.plots.due(self.shown, now_s, self.size)
+
     def draw(self, view: View) -> None:
         """Build and draw one frame of the overlay into the default framebuffer, whose viewport is the whole window."""
         self._make_current()
         self._rescale()
         self._navigate(self.shown.menu)
+        size = self.size
+        self.plots.build(view, self.shown, size, self._scale)
         imgui.backends.opengl3_new_frame()
         imgui.backends.glfw_new_frame()
         imgui.new_frame()
-        size = self.size
         if self._ink is None:
             self._ink = Ink(self.fonts, self._scale)
         self._ink.begin()
         self.hud.draw(self._ink, view, self.shown, size)
         self.depth.draw(view, self.shown, size)
-        self.plots.draw(view, self.shown, size)
+        self.plots.draw(self.shown, size, self._ink.em)
         self.panel.draw(view, self.shown, size)
         self.menu.draw(view, self.shown, size)
         draw_help(view, self.shown, self.fonts, size)
         imgui.render()
+        self.plots.paint(self.shown)
         imgui.backends.opengl3_render_draw_data(imgui.get_draw_data())
 
     def close(self) -> None:
@@ -96,14 +101,13 @@ class Overlay:
         self._closed = True
         self._make_current()
         self.depth.close()
+        self.plots.close()
         imgui.backends.opengl3_shutdown()
         imgui.backends.glfw_shutdown()
-        implot.destroy_context(self._plots)
         imgui.destroy_context(self._context)
 
     def _make_current(self) -> None:
         imgui.set_current_context(self._context)
-        implot.set_current_context(self._plots)
 
     def _navigate(self, on: bool) -> None:
         """Arrow keys and gamepad walk through the menu; elsewhere they belong to the game."""
@@ -118,5 +122,3 @@ class Overlay:
         if abs(scale - self._scale) > 1e-3:
             self._scale, self._ink = scale, None
             apply_style(scale)
-            implot.get_style().plot_padding = ImVec2(4.0 * scale, 4.0 * scale)
-            implot.get_style().label_padding = ImVec2(3.0 * scale, 3.0 * scale)

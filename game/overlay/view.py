@@ -27,7 +27,8 @@ class View:
     now_s: seconds on the loop's clock since the game began; speed: simulated seconds per second;
     interrupted: why the game waits for the player's sensor, empty while it does not;
     depth_picture: (h, w, 4) RGBA of what a depth camera sees, always of one size, None without one;
-    stage_ms: median milliseconds per stage; upright_s: None where no scene measures it; fell: the upright time has ended.
+    plots, stage_ms (median milliseconds per stage): only filled where the overlay is to show them anew; upright_s: None where no
+    scene measures it; fell: the upright time has ended.
     """
 
     scene: str

@@ -6,16 +6,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
+from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import ANKLES, FEET, JOINTS, WRISTS
+from game.characters.strength import joint_strength
 from game.compiled import compiled
 from game.control.whole_body.capture_point import capture_point, natural_frequency
 from game.physics.dynamics import BodyDynamics, lowest_corner
 from game.report.tracking_error import in_heading
 from game.scenes.foot_loads import ground_loads
 from game.scenes.history import FRAMES_PER_SAMPLE, History
-from game.scenes.planned_balance import PlannedBalance, limits_or_strength, planned_balance
+from game.scenes.planned_balance import PlannedBalance, kept_limits, planned_balance
 from game.scenes.simulation import Simulation
-from game.scenes.torque_use import torque_use
+from game.scenes.torque_use import note_torques
 from game.tunables import Settings
 
 Floats = NDArray[np.float64]
@@ -27,7 +29,6 @@ USE = tuple(f"use_{joint}" for joint in JOINTS)
 
 _HANDS = np.array([joint + 1 for joint in WRISTS])
 _ANKLE_PARTS = np.array([joint + 1 for joint in ANKLES])
-_FEET = np.array(FEET)
 
 
 class BalanceHistory:
@@ -43,30 +44,37 @@ class BalanceHistory:
         self.plan = PlannedBalance()
         self.use, self._most_used = np.zeros(len(JOINTS)), np.zeros(len(JOINTS))
         self._most_torque = 0.0
+        self._scale, self._strength = -1.0, (np.zeros(0), np.zeros(0))
         self.capture, self.loads = np.zeros(2), np.zeros(5)
         self._frame, self._looked = 0, -1
 
     def observe(self, simulation: Simulation, upright_s: float = math.nan) -> None:
         """One frame of the simulation: torques are sampled by their peaks, the rest as it is at the sample."""
-        world, fighter = simulation.world, simulation.fighters[self.index]
-        body = world.characters[self.index]
-        self.plan = planned_balance(fighter, body)
-        torque = world.actuation.torque[body.joint_dofs]
-        self.use = torque_use(torque, *limits_or_strength(self.plan, fighter.plan, self._settings))
-        self._most_used = np.maximum(self._most_used, self.use)
-        self._most_torque = max(self._most_torque, largest(torque))
+        body, fighter = simulation.world.characters[self.index], simulation.fighters[self.index]
+        low, high = kept_limits(fighter) or self._at_rest(fighter.plan)
+        torque = simulation.world.actuation.torque[body.joint_dofs]
+        self._most_torque = max(self._most_torque, note_torques(torque, low, high, self.use, self._most_used))
         self._frame += 1
         if self._frame % FRAMES_PER_SAMPLE == 0:
             self.history.add(simulation.clock_s, self._row(simulation, upright_s))
-            self._most_used, self._most_torque = np.zeros(len(JOINTS)), 0.0
+            self._most_used[:], self._most_torque = 0.0, 0.0
 
     def look(self, simulation: Simulation) -> None:
-        """Bring `capture` and `loads` up to the present frame."""
+        """Bring `plan`, `capture` and `loads` up to the present frame."""
         if self._looked != self._frame:
             body = simulation.world.characters[self.index]
+            self.plan = planned_balance(simulation.fighters[self.index], body)
             self.capture = captured(body)
             self.loads = ground_loads(simulation.world.meter.contacts, body.root_body)
             self._looked = self._frame
+
+    def _at_rest(self, plan: BodyPlan) -> tuple[Floats, Floats]:
+        """A human's strength at rest, for a strategy that keeps to no limits; scaled as for one that does."""
+        scale = self._settings.number("whole_body.strength")
+        if self._scale != scale:
+            low, high = joint_strength(plan)
+            self._scale, self._strength = scale, (scale * low, scale * high)
+        return self._strength
 
     def _row(self, simulation: Simulation, upright_s: float) -> Floats:
         self.look(simulation)
@@ -122,12 +130,3 @@ def following_errors(
             out[4] = max(out[4], abs(angle))
     out[3] = total / (3 * len(rotation))
     return out
-
-
-@compiled
-def largest(torque: Floats) -> float:
-    """The largest size in `torque` (n,)."""
-    worst = 0.0
-    for t in torque:
-        worst = max(worst, abs(t))
-    return worst

@@ -112,7 +112,7 @@ def sole_outline(body: BodyDynamics, side: int) -> Floats:
 
 def use_plot(seen: BalanceHistory, most: Floats) -> Plot:
     """Share of its limit that each joint uses, and the most (14,) it used in the time shown."""
-    limited = seen.plan.limits is not None
+    limited = seen.plan.limited
     note = "Torque: of each joint's limit at its speed." if limited else "Torque: of a human's strength, as no limit is kept."
     series = {"now": (_JOINT_PLACES, 100.0 * seen.use), "most": (_JOINT_PLACES, 100.0 * most)}
     return Plot("torque use", "%", series, kind="bars", names=JOINT_WORDS, note=note)

@@ -1,12 +1,10 @@
-"""What a balance strategy plans, as far as it can be read: places on the floor, loads, what each foot does, and torque limits."""
+"""What a balance strategy plans, as far as it can be read: places on the floor, loads, what each foot does, torque limits."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.characters.body_plan import BodyPlan
-from game.characters.strength import joint_strength
 from game.control.ankle_strategy import AnkleStrategy
 from game.control.whole_body.contact_states import Phase
 from game.control.whole_body.sole import sole_of
@@ -14,7 +12,6 @@ from game.control.whole_body.support_polygon import sole_corners
 from game.control.whole_body.whole_body import WholeBody
 from game.physics.dynamics import BodyDynamics
 from game.scenes.fighter import Fighter
-from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
@@ -27,7 +24,7 @@ class PlannedBalance:
 
     capture, com: where the capture point, or the COM, is wanted; pressure: where the pressure under the feet is; loads_n: planned
     vertical force on the left and right foot; feet: what each does, as a look of `Plot`; landing: outline (4, 2) of where a step of
-    its own comes down; limits: least and largest torque (42,) N m; missing: what is not planned, in words, empty where nothing is.
+    its own comes down; limited: torques are kept within limits; missing: what is not planned, in words, empty where nothing is.
     """
 
     capture: Floats | None = None
@@ -36,7 +33,7 @@ class PlannedBalance:
     loads_n: tuple[float, float] | None = None
     feet: tuple[str, str] = ("touches", "touches")
     landing: tuple[Floats | None, Floats | None] = (None, None)
-    limits: tuple[Floats, Floats] | None = None
+    limited: bool = False
     missing: str = ""
 
 
@@ -71,7 +68,7 @@ def _of_whole_body(strategy: WholeBody, body: BodyDynamics) -> PlannedBalance:
         loads_n=(loads[0], loads[1]),
         feet=(looks[0], looks[1]),
         landing=(landing[0], landing[1]),
-        limits=strategy.limits,
+        limited=True,
     )
 
 
@@ -85,10 +82,7 @@ def _landing(strategy: WholeBody, body: BodyDynamics, side: int) -> Floats:
     return sole_corners(foot.goal, foot.goal_yaw, sole.half_length, sole.half_width)
 
 
-def limits_or_strength(plan: PlannedBalance, body_plan: BodyPlan, settings: Settings) -> tuple[Floats, Floats]:
-    """Least and largest torque (42,) N m: of the strategy where it keeps to limits, else a human's at rest, scaled alike."""
-    if plan.limits is not None:
-        return plan.limits
-    low, high = joint_strength(body_plan)
-    scale = settings.number("whole_body.strength")
-    return scale * low, scale * high
+def kept_limits(fighter: Fighter) -> tuple[Floats, Floats] | None:
+    """Least and largest torque (42,) N m that the strategy kept to at its last control tick, None where it keeps to none."""
+    strategy = fighter.strategy
+    return strategy.limits if isinstance(strategy, WholeBody) and not strategy.fallen else None

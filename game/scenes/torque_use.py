@@ -1,4 +1,4 @@
-"""How much of its strength each joint uses."""
+"""How much of its strength each joint uses, now and at most since the last sample."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +12,16 @@ MOST_SHOWN = 3.0
 
 
 @compiled
-def torque_use(torque: Floats, low: Floats, high: Floats) -> Floats:
-    """(n,) share of its limit that each ball joint uses, the largest of its three axes; torque, low <= 0 <= high (3 n,) N m."""
-    out = np.zeros(len(torque) // 3)
+def note_torques(torque: Floats, low: Floats, high: Floats, use: Floats, most: Floats) -> float:
+    """Write into `use` (n,) the share of its limit that each ball joint uses, the largest of its three axes, and raise `most` (n,)
+    to it; gives the largest torque. torque, low <= 0 <= high (3 n,) N m."""
+    use[:] = 0.0
+    largest = 0.0
     for row in range(len(torque)):
+        size = abs(torque[row])
         limit = high[row] if torque[row] > 0.0 else -low[row]
-        share = min(abs(torque[row]) / max(limit, 1e-9), MOST_SHOWN)
-        out[row // 3] = max(out[row // 3], share)
-    return out
+        joint = row // 3
+        use[joint] = max(use[joint], min(size / max(limit, 1e-9), MOST_SHOWN))
+        most[joint] = max(most[joint], use[joint])
+        largest = max(largest, size)
+    return largest
