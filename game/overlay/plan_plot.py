@@ -100,7 +100,7 @@ def _draw_grid(sheet: Sheet, x: float, y: float, width: float, height: float, sc
     end, bottom = x + width - 0.5 * em, y + height - 0.45 * em
     sheet.line(end - step, bottom, end, bottom, FAINT, 0.1 * em)
     sheet.words_to(end, bottom - 0.95 * em, f"{100 * step / scale:.0f} cm", FAINT, TINY)
-    sheet.words(x + 0.4 * em, y + 0.2 * em, "front", FAINT, TINY)
+    sheet.words(x + 0.4 * em, bottom - 0.55 * em, "up: ahead", FAINT, TINY)
 
 
 def _draw_places(sheet: Sheet, name: str, look: str, places: Places) -> None:

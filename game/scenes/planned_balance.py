@@ -64,7 +64,8 @@ def _of_whole_body(strategy: WholeBody, body: BodyDynamics) -> PlannedBalance:
     landing = tuple(_landing(strategy, body, side) if foot.phase is Phase.STEP else None for side, foot in enumerate(feet))
     return PlannedBalance(
         capture=strategy.com_target[:2].copy(),
-        pressure=strategy.pressure.copy(),
+        # in the air there is none to be had
+        pressure=None if strategy.footing.flying else strategy.pressure.copy(),
         loads_n=(loads[0], loads[1]),
         feet=(looks[0], looks[1]),
         landing=(landing[0], landing[1]),
