@@ -5,16 +5,18 @@ linearly with the scale. Streaming, causal, and equal for equal seeds.
 """
 
 from collections import deque
-from dataclasses import replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
+from game import rotation_compiled as one
+from game.compiled import compiled
 from game.inputs.sensor_noise_bones import BoneLengthBias
 from game.inputs.sensor_noise_bow import hip_drop
 from game.inputs.sensor_noise_jitter import RestingJitter
 from game.inputs.sensor_noise_states import InferredRuns, Leaps
-from kinect.body import INFERRED, BodyFrame, Floats, Floor
+from kinect.body import INFERRED, JOINT_COUNT, BodyFrame, Floats, Floor
 from kinect.source import BodySource
 
 _PITCH_RAD: Final = np.radians(2.0)  # standard deviation of the sensor's tilt, as estimated floors of recordings show
@@ -44,6 +46,7 @@ class SensorNoise:
         self._leaps = Leaps(rngs[3])
         self._tilt = np.clip(rngs[4].standard_normal(2), -2.0, 2.0) * (_PITCH_RAD, _ROLL_RAD)
         self._turn_scale, self._turn = 0.0, np.eye(3)
+        self._floors: tuple[Floor, Floats, Floor] | None = None
         self._waiting: deque[BodyFrame] = deque()
 
     @property
@@ -79,18 +82,43 @@ class SensorNoise:
         true = frame.positions
         up = _UP if frame.floor is None else np.array(frame.floor[:3])
         shown, astray = self._inferred.step(max(scale, min(outliers, 1.0)))
-        offset = scale * self._jitter.step() + outliers * (astray + self._leaps.step())
-        offset += scale * hip_drop(true, up) + self._bones.displacement(true, scale)
-        confidence = np.where(shown, np.minimum(frame.confidence, INFERRED), frame.confidence)
         turn = self._turned(scale)
-        floor = None if frame.floor is None else Floor._make([*(turn @ np.array(frame.floor[:3])).tolist(), frame.floor.d])
-        return replace(frame, positions=(true + offset) @ turn.T, confidence=confidence, floor=floor)
+        positions, confidence = _laid_over(
+            true, frame.confidence, shown, self._jitter.step(), astray, self._leaps.step(), hip_drop(true, up),
+            self._bones.displacement(true, scale), scale, outliers, turn,
+        )  # fmt: skip
+        return BodyFrame(frame.time_s, positions, confidence, frame.player, self._tilted(frame.floor, turn), frame.metric)
+
+    def _tilted(self, floor: Floor | None, turn: Floats) -> Floor | None:
+        """The floor as the tilted sensor sees it, worked out anew only where it or the tilt has changed."""
+        if floor is None:
+            return None
+        if self._floors is None or self._floors[0] != floor or self._floors[1] is not turn:
+            self._floors = floor, turn, Floor._make([*(turn @ np.array(floor[:3])).tolist(), floor.d])
+        return self._floors[2]
 
     def _turned(self, scale: float) -> Floats:
         """(3, 3) of the tilt at `scale`, made anew only where the scale was changed."""
         if scale != self._turn_scale:
             self._turn_scale, self._turn = scale, _tilt(scale * self._tilt[0], scale * self._tilt[1])
         return self._turn
+
+
+@compiled
+def _laid_over(
+    true: Floats, confidence: Floats, shown: NDArray[np.bool_], jitter: Floats, astray: Floats, leap: Floats, drop: Floats,
+    bones: Floats, scale: float, outliers: float, turn: Floats,
+) -> tuple[Floats, Floats]:  # fmt: skip
+    """Joints (20, 3) m with all their errors, (20, 3) each, in the tilted sensor's frame, and their confidence (20,)."""
+    out, sure = np.empty((JOINT_COUNT, 3)), np.empty(JOINT_COUNT)
+    seen = np.empty(3)
+    for joint in range(JOINT_COUNT):
+        for axis in range(3):
+            error = scale * jitter[joint, axis] + outliers * (astray[joint, axis] + leap[joint, axis])
+            seen[axis] = true[joint, axis] + (error + scale * drop[joint, axis] + bones[joint, axis])
+        out[joint] = one.turn(turn, seen)
+        sure[joint] = min(confidence[joint], INFERRED) if shown[joint] else confidence[joint]
+    return out, sure
 
 
 def _tilt(pitch: float, roll: float) -> Floats:

@@ -14,6 +14,7 @@ from game.inputs.sensor_noise_table import BONE_CV
 from kinect.body import BONES, JOINT_COUNT, Floats, Joint
 
 _WAVES: Final = 8  # cosines a bone; more make the error's distribution more Gaussian
+_WAVE_SIZE: Final = math.sqrt(2.0 / _WAVES)
 _OWN: Final = 2.5  # radians of phase a unit change of the bone's own direction brings
 _OTHERS: Final = 0.8
 _LARGEST: Final = 0.7  # a bone never loses or gains more than this share
@@ -64,11 +65,41 @@ def _directions_and_lengths(positions: Floats) -> tuple[Floats, Floats]:
 
 
 @compiled
-def _clipped(share: Floats) -> Floats:
-    """Shares (19,) within the largest change of a bone."""
-    out = np.empty_like(share)
-    for bone in range(len(share)):
-        out[bone] = min(max(share[bone], -_LARGEST), _LARGEST)
+def _shares(phases: Floats) -> Floats:
+    """Relative changes (19,) at scale 1 from the phases of all waves, bone by bone, within the largest change of a bone."""
+    out = np.empty(len(_CHILD))
+    for bone in range(len(_CHILD)):
+        total = 0.0
+        for wave in range(_WAVES):
+            total += math.cos(phases[bone * _WAVES + wave])
+        out[bone] = min(max(_SPREAD[bone] * total * _WAVE_SIZE, -_LARGEST), _LARGEST)
+    return out
+
+
+@compiled
+def _changes(phases: Floats, directions: Floats, lengths: Floats, scale: float) -> tuple[Floats, Floats]:
+    """Matrix (19, 19) and right-hand side (19,) m of the pulls along the bones that change their lengths."""
+    share, change = _shares(phases), np.empty(len(lengths))
+    gram = _RIDGE.copy()
+    for bone in range(len(lengths)):
+        change[bone] = min(max(scale * share[bone], -_LARGEST), _LARGEST) * lengths[bone]
+        for other in range(len(lengths)):
+            along = 0.0
+            for axis in range(3):
+                along += directions[bone, axis] * directions[other, axis]
+            gram[bone, other] += _COUPLING[bone, other] * along
+    return gram, change
+
+
+@compiled
+def _displaced(pull: Floats, directions: Floats) -> Floats:
+    """(20, 3) m: what the pulls (19,) along the bones do to their two ends."""
+    out = np.zeros((JOINT_COUNT, 3))
+    for bone in range(len(pull)):
+        for axis in range(3):
+            way = pull[bone] * directions[bone, axis]
+            out[_CHILD[bone], axis] += _MOBILITY[_CHILD[bone]] * way
+            out[_PARENT[bone], axis] -= _MOBILITY[_PARENT[bone]] * way
     return out
 
 
@@ -85,9 +116,7 @@ class BoneLengthBias:
 
     def shares(self, directions: Floats) -> Floats:
         """Relative change of each bone at scale 1, (19,), for unit bone directions (19, 3)."""
-        waves = np.cos(self._waves @ directions.reshape(-1) + self._phases).reshape(len(BONES), _WAVES)
-        spread = waves.sum(axis=1) * np.sqrt(2.0 / _WAVES)
-        return _clipped(_SPREAD * spread)
+        return _shares(self._waves @ directions.reshape(-1) + self._phases)
 
     def displacement(self, positions: Floats, scale: float) -> Floats:
         """The smallest weighted joint displacement, (20, 3) metres, that changes every bone's length by its share.
@@ -95,7 +124,6 @@ class BoneLengthBias:
         To first order along each bone u_b . (d_child - d_parent) = share_b length_b: a weighted minimum-norm solution.
         """
         directions, lengths = _directions_and_lengths(positions)
-        change = _clipped(scale * self.shares(directions)) * lengths
-        gram = _COUPLING * (directions @ directions.T) + _RIDGE
-        pull = np.linalg.solve(gram, change)
-        return _MOBILITY[:, None] * (_INCIDENCE.T @ (pull[:, None] * directions))
+        gram, change = _changes(self._waves @ directions.reshape(-1) + self._phases, directions, lengths, scale)
+        pull: Floats = np.linalg.solve(gram, change).astype(np.float64, copy=False)
+        return _displaced(pull, directions)

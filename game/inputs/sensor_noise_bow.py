@@ -9,11 +9,18 @@ from typing import Final
 
 import numpy as np
 
+from game import rotation_compiled as one
+from game.compiled import compiled
 from kinect.body import JOINT_COUNT, Floats, Joint
 
-_STARTS_RAD: Final = np.radians(40.0)
+_STARTS_RAD: Final = math.radians(40.0)
 _DROP_M_PER_RAD: Final = 0.40
 _LEAST_THIGH: Final = 0.35  # hips never sink below this share of their height above the knees
+
+
+_ROOT, _NECK = int(Joint.HIP_CENTER), int(Joint.SHOULDER_CENTER)
+_HIPS = (int(Joint.HIP_LEFT), int(Joint.HIP_RIGHT))
+_KNEES = (int(Joint.KNEE_LEFT), int(Joint.KNEE_RIGHT))
 
 
 def _shares() -> Floats:
@@ -26,17 +33,22 @@ def _shares() -> Floats:
 _SHARES: Final[Floats] = _shares()
 
 
+@compiled
 def hip_drop(positions: Floats, up: Floats) -> Floats:
     """Displacement of every joint at scale 1, (20, 3) metres, from the true pose (20, 3) and the unit up direction (3,)."""
-    trunk = positions[Joint.SHOULDER_CENTER] - positions[Joint.HIP_CENTER]
-    length = math.sqrt(trunk @ trunk)
+    out = np.zeros((JOINT_COUNT, 3))
+    trunk = positions[_NECK] - positions[_ROOT]
+    length = one.length(trunk)
     if not length > 1e-6:
-        return np.zeros((JOINT_COUNT, 3))
-    pitch = float(np.arccos(min(max(trunk @ up / length, -1.0), 1.0)))
+        return out
+    pitch = math.acos(min(max(one.dot(trunk, up) / length, -1.0), 1.0))
     if pitch <= _STARTS_RAD:
-        return np.zeros((JOINT_COUNT, 3))
-    hips = 0.5 * (positions[Joint.HIP_LEFT] + positions[Joint.HIP_RIGHT])
-    knees = 0.5 * (positions[Joint.KNEE_LEFT] + positions[Joint.KNEE_RIGHT])
-    room = (1.0 - _LEAST_THIGH) * max(0.0, float((hips - knees) @ up))
-    drop = min(_DROP_M_PER_RAD * (pitch - _STARTS_RAD), room / (1.0 - _SHARES[Joint.KNEE_LEFT]))
-    return -drop * _SHARES[:, None] * up
+        return out
+    hips = 0.5 * (positions[_HIPS[0]] + positions[_HIPS[1]])
+    knees = 0.5 * (positions[_KNEES[0]] + positions[_KNEES[1]])
+    room = (1.0 - _LEAST_THIGH) * max(0.0, one.dot(hips - knees, up))
+    drop = min(_DROP_M_PER_RAD * (pitch - _STARTS_RAD), room / (1.0 - _SHARES[_KNEES[0]]))
+    for joint in range(JOINT_COUNT):
+        for axis in range(3):
+            out[joint, axis] = -drop * _SHARES[joint] * up[axis]
+    return out

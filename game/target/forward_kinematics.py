@@ -40,7 +40,16 @@ class PosedSkeleton:
 
     def centre_of_mass(self, plan: BodyPlan) -> Floats:
         """(3,) centre of mass, world frame."""
-        return plan.mass @ self.box_centres(plan) / plan.total_mass
+        return _centre_of_mass(self.turn, self.joint, plan.centre_offset, plan.mass)
+
+
+@compiled
+def _centre_of_mass(turn: Floats, joint: Floats, centre_offset: Floats, mass: Floats) -> Floats:
+    out, total = np.zeros(3), 0.0
+    for part in range(PART_COUNT):
+        out += mass[part] * (joint[part] + one.turn(turn[part], centre_offset[part]))
+        total += mass[part]
+    return out / total
 
 
 def pose_skeleton(plan: BodyPlan, root_position: Floats, root_orientation: Floats, joint_rotation: Floats) -> PosedSkeleton:

@@ -19,11 +19,12 @@ def end_effector_jacobian(pose: PosedSkeleton) -> Floats:
     Column v_j x (s_i - p_j), v_j the axis of the parent segment, p_j the joint centre, s_i the end-effector; only joints between
     the end-effector and the root move it.
     """
-    return _jacobian(pose.turn, pose.joint)
+    return jacobian_of(pose.turn, pose.joint)
 
 
 @compiled
-def _jacobian(turn: Floats, joint: Floats) -> Floats:
+def jacobian_of(turn: Floats, joint: Floats) -> Floats:
+    """The same of turn (15, 3, 3) and joint (15, 3)."""
     jacobian = np.zeros((3 * len(_EFFECTOR_PART), 3 * JOINT_COUNT))
     for i in range(len(_EFFECTOR_PART)):
         effector = _EFFECTOR_PART[i]

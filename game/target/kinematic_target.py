@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from game import rotation
 from game import rotation_compiled as one
 from game.characters.body_plan import BodyPlan
 from game.characters.skeleton import END_EFFECTOR_PARTS, JOINT_COUNT
@@ -14,15 +13,16 @@ from game.intake.foot_contacts import STANDING, FootContacts
 from game.target.calibration import Calibration
 from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
 from game.target.inverse_kinematics import SOLVERS, clamp_targets
-from game.target.jacobian import end_effector_jacobian
-from game.target.mapping import map_orientations, map_positions
+from game.target.jacobian import jacobian_of
+from game.target.mapping import mapped_orientations, mapped_positions
 from game.tunables import Settings
 from kinect.body import Joint
 
 Floats = NDArray[np.float64]
 
-_EFFECTOR_JOINTS = [Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT, Joint.WRIST_LEFT, Joint.WRIST_RIGHT, Joint.SHOULDER_CENTER]
-_EFFECTOR_PARTS = list(END_EFFECTOR_PARTS)
+_EFFECTOR_JOINTS = np.array([Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT, Joint.WRIST_LEFT, Joint.WRIST_RIGHT, Joint.SHOULDER_CENTER])
+_EFFECTOR_PARTS = np.array(END_EFFECTOR_PARTS)
+_ROOT = int(Joint.HIP_CENTER)
 
 
 @dataclass(frozen=True)
@@ -61,14 +61,27 @@ class KinematicTarget:
 
 def map_input(joints: Floats, calibration: Calibration) -> MappedInput:
     """Sensed joints (20, 3), world frame, as a pose of the character with the sensed end-effector places."""
-    root, joint_rotation = map_orientations(joints, calibration)
-    placed = map_positions(joints, calibration)
+    c = calibration
+    return MappedInput(
+        *_mapped(joints, c.pelvis, c.trunk, c.idle_direction, c.scale, c.origin, c.rise_m, c.shoulder_offset, c.neck_offset, c.root_offset)
+    )
+
+
+@compiled
+def _mapped(
+    joints: Floats, pelvis: Floats, trunk: Floats, idle: Floats, scale: float, origin: Floats, rise_m: float, shoulder_offset: Floats,
+    neck_offset: Floats, root_offset: Floats,
+) -> tuple[Floats, Floats, Floats, Floats]:  # fmt: skip
+    """The fields of a `MappedInput`, in their order."""
+    root, joint_rotation = mapped_orientations(joints, pelvis, trunk, idle)
+    placed = mapped_positions(joints, scale, origin, rise_m)
+    trunk_turn = one.matrix(one.multiply(root, joint_rotation[0]))
     effector = placed[_EFFECTOR_JOINTS]
-    trunk = one.matrix(rotation.multiply(root, joint_rotation[0]))
-    effector[2:4] += rotation.turn(trunk, calibration.shoulder_offset)
-    effector[4] += rotation.turn(trunk, calibration.neck_offset)
-    position = placed[Joint.HIP_CENTER] + rotation.turn(one.matrix(root), calibration.root_offset)
-    return MappedInput(position, root, joint_rotation, effector)
+    effector[2] += one.turn(trunk_turn, shoulder_offset[0])
+    effector[3] += one.turn(trunk_turn, shoulder_offset[1])
+    effector[4] += one.turn(trunk_turn, neck_offset)
+    position = placed[_ROOT] + one.turn(one.matrix(root), root_offset)
+    return position, root, joint_rotation, effector
 
 
 class TargetTracker:
@@ -95,32 +108,44 @@ class TargetTracker:
         self._last = target
         return target
 
-    def _moved_root(self, mapped: MappedInput, previous: Floats) -> PosedSkeleton:
-        """The previous pose on the new root: a rigid motion of the last target where there is one."""
-        if self._last is None:
-            return pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, previous)
-        last = self._last.pose
-        turn = one.matrix(mapped.root_orientation) @ last.turn[0].T
-        joint = mapped.root_position + (last.joint - last.joint[0]) @ turn.T
-        return PosedSkeleton(turn @ last.turn, joint, mapped.root_orientation, previous)
-
     def _solve(self, mapped: MappedInput) -> Floats:
         method = self._settings.choice("ik.method")
         if method == "none":
             return mapped.joint_rotation
-        previous = mapped.joint_rotation if self._last is None else self._last.joint_rotation
-        pose = self._moved_root(mapped, previous)
-        error = clamp_targets(mapped.end_effector - pose.joint[_EFFECTOR_PARTS], self._settings.number("ik.target_clamp_m"))
-        # phi: what is still to turn, in the parent's frame
-        phi = _turned_in_parent(previous, mapped.joint_rotation)
+        if self._last is None:
+            previous = mapped.joint_rotation
+            pose = pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, previous)
+        else:
+            previous, pose = self._last.joint_rotation, self._last.pose
+        number = self._settings.number
         step = SOLVERS[method](
-            end_effector_jacobian(pose),
-            error.reshape(-1),
-            phi,
-            self._settings.number("ik.damping"),
-            self._settings.number("ik.pose_weight"),
-        )
+            *_still_to_go(
+                pose.turn, pose.joint, previous, mapped.root_position, mapped.root_orientation, mapped.joint_rotation,
+                mapped.end_effector, number("ik.target_clamp_m"),
+            ),
+            number("ik.damping"),
+            number("ik.pose_weight"),
+        )  # fmt: skip
         return _turned_by(step, previous)
+
+
+@compiled
+def _still_to_go(
+    turn: Floats, joint: Floats, rotation: Floats, root_position: Floats, root_orientation: Floats, wanted: Floats, effector: Floats,
+    clamp_m: float,
+) -> tuple[Floats, Floats, Floats]:  # fmt: skip
+    """End-effector Jacobian (15, 42), clamped error (15,) m and phi (42,) rad, what is still to turn in the parents' frames.
+
+    A pose, turn (15, 3, 3), joint (15, 3), rotation (14, 4), is taken as a rigid body onto the new root; from there to the `wanted`
+    rotations (14, 4) and end-effectors (5, 3).
+    """
+    moved = one.product(one.matrix(root_orientation), np.ascontiguousarray(turn[0].T))
+    new_turn, new_joint = np.empty_like(turn), np.empty_like(joint)
+    for part in range(len(turn)):
+        new_turn[part] = one.product(moved, turn[part])
+        new_joint[part] = root_position + one.turn(moved, joint[part] - joint[0])
+    error = clamp_targets(effector - new_joint[_EFFECTOR_PARTS], clamp_m)
+    return jacobian_of(new_turn, new_joint), error.reshape(-1), _turned_in_parent(rotation, wanted)
 
 
 @compiled

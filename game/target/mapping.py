@@ -67,11 +67,12 @@ def map_orientations(joints: Floats, calibration: "Calibration") -> tuple[Floats
 
     Pelvis and trunk follow two directions each; every other part swings its idle direction to the sensed bone, without twist.
     """
-    return _map(joints, calibration.pelvis, calibration.trunk, calibration.idle_direction)
+    return mapped_orientations(joints, calibration.pelvis, calibration.trunk, calibration.idle_direction)
 
 
 @compiled
-def _map(joints: Floats, pelvis: Floats, trunk: Floats, idle: Floats) -> tuple[Floats, Floats]:
+def mapped_orientations(joints: Floats, pelvis: Floats, trunk: Floats, idle: Floats) -> tuple[Floats, Floats]:
+    """`map_orientations` with the fields of the calibration."""
     direction = bone_directions(joints)
     root = one.multiply(pelvis_orientation(joints), pelvis)
     local = np.empty((PART_COUNT - 1, 4))
@@ -88,11 +89,12 @@ def _map(joints: Floats, pelvis: Floats, trunk: Floats, idle: Floats) -> tuple[F
 
 def map_positions(joints: Floats, calibration: "Calibration") -> Floats:
     """Sensed joints (20, 3), world frame, scaled to the character's size, its floor and its starting place."""
-    return _place(joints, calibration.scale, calibration.origin, calibration.rise_m)
+    return mapped_positions(joints, calibration.scale, calibration.origin, calibration.rise_m)
 
 
 @compiled
-def _place(joints: Floats, scale: float, origin: Floats, rise_m: float) -> Floats:
+def mapped_positions(joints: Floats, scale: float, origin: Floats, rise_m: float) -> Floats:
+    """`map_positions` with the fields of the calibration."""
     placed = scale * (joints - origin)
     placed[:, 2] += rise_m
     return placed
