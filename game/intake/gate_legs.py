@@ -10,6 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from game import rotation_compiled as one
+from game.compiled import compiled
 from kinect.body import Joint
 
 Floats = NDArray[np.float64]
@@ -18,6 +20,8 @@ HIPS = (Joint.HIP_LEFT, Joint.HIP_RIGHT)
 KNEES = (Joint.KNEE_LEFT, Joint.KNEE_RIGHT)
 ANKLES = (Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT)
 FEET = (Joint.FOOT_LEFT, Joint.FOOT_RIGHT)
+_LEG = np.array((HIPS, KNEES, ANKLES)).T
+_ROOT, _NECK = int(Joint.HIP_CENTER), int(Joint.SHOULDER_CENTER)
 
 LENGTH_TIME_S = 2.0
 """How slowly the bone lengths follow what upright standing shows."""
@@ -93,15 +97,18 @@ class LegLengths:
         return Leg((own_thigh - thigh) * thigh_up + (own_shin - shin) * shin_up, bend)
 
 
+@compiled
 def _bones(joints: Floats, side: int) -> tuple[tuple[float, float], tuple[float, float], float]:
     """Thigh and shin, each length (m) and how far up it points (its unit vector's z), and the angle between them (rad)."""
-    thigh = joints[HIPS[side]] - joints[KNEES[side]]
-    shin = joints[KNEES[side]] - joints[ANKLES[side]]
-    a, b = max(math.sqrt(thigh @ thigh), 1e-6), max(math.sqrt(shin @ shin), 1e-6)
-    return (a, float(thigh[2]) / a), (b, float(shin[2]) / b), math.acos(min(1.0, max(-1.0, float(thigh @ shin) / (a * b))))
+    hip, knee, ankle = _LEG[side]
+    thigh = joints[hip] - joints[knee]
+    shin = joints[knee] - joints[ankle]
+    a, b = max(one.length(thigh), 1e-6), max(one.length(shin), 1e-6)
+    return (a, thigh[2] / a), (b, shin[2] / b), math.acos(min(1.0, max(-1.0, one.dot(thigh, shin) / (a * b))))
 
 
+@compiled
 def _lean(joints: Floats) -> float:
     """Angle of the trunk, hip centre to shoulder centre, from the vertical, rad."""
-    trunk = joints[Joint.SHOULDER_CENTER] - joints[Joint.HIP_CENTER]
-    return math.acos(min(1.0, max(-1.0, float(trunk[2]) / max(math.sqrt(trunk @ trunk), 1e-6))))
+    trunk = joints[_NECK] - joints[_ROOT]
+    return math.acos(min(1.0, max(-1.0, trunk[2] / max(one.length(trunk), 1e-6))))

@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
+from game import rotation_compiled as one
+from game.compiled import compiled
 from game.intake.gate_legs import HIPS
 from kinect.body import Joint
 
@@ -22,20 +24,25 @@ class TiltLimit:
 
     def correction(self, vector: Floats, largest_rad: float) -> Floats | None:
         """The rotation (4,) that takes `vector` (3,) back to where it may be, at most `largest_rad` from the last one; None: as it is."""
-        length = math.sqrt(vector @ vector)
+        last = self._last
+        length, direction, angle = _swung(vector, vector if last is None else last)
         if length < 1e-6:
             return None
-        direction = vector / length
-        last, self._last = self._last, direction
-        if last is None:
-            return None
-        angle = math.acos(min(1.0, max(-1.0, float(last @ direction))))
-        if angle <= largest_rad:
+        self._last = direction
+        if last is None or angle <= largest_rad:
             return None
         swing = rotation.log(rotation.between(last, direction))
         allowed = rotation.rotate(rotation.exp(swing * (largest_rad / angle)), last)
         self._last = allowed
         return rotation.between(direction, allowed)
+
+
+@compiled
+def _swung(vector: Floats, last: Floats) -> tuple[float, Floats, float]:
+    """Length and direction (3,) of a vector (3,), and the angle (rad) from the direction `last` (3,)."""
+    length = one.length(vector)
+    direction = vector / max(length, 1e-6)
+    return length, direction, math.acos(min(1.0, max(-1.0, one.dot(last, direction))))
 
 
 class TrunkTilt:

@@ -1,12 +1,13 @@
 """A foot as the planner sees it: a flat rectangle somewhere on or above the floor."""
 
 import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.skeleton import FEET
+from game.compiled import compiled
 from game.control.joint_command import BodyState
 from game.control.whole_body.leg_kinematics import LEG_PARTS
 from game.control.whole_body.support_polygon import hull_of_soles, sole_corners
@@ -14,8 +15,7 @@ from game.control.whole_body.support_polygon import hull_of_soles, sole_corners
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Sole:
+class Sole(NamedTuple):
     """A foot as it is: centre of its sole (3,) and yaw, ankle (3,), whether its lowest corner touches; half extents (m)."""
 
     centre: Floats
@@ -40,9 +40,17 @@ def polygon(soles: tuple[Sole, Sole], left: bool, right: bool, margin_m: float) 
 def sole_of(body: BodyState, side: int) -> Sole:
     part = FEET[side]
     length, width, height = body.plan.foot_half
-    turn = body.turn[part]
-    centre, yaw = body.box_centre[part] - height * turn[:, 2], math.atan2(turn[1, 0], turn[0, 0])
+    centre, yaw = _place(body.box_centre, body.turn, part, height)
     return Sole(centre, yaw, body.joint[part], body.foot_contact[side], length, width)
+
+
+@compiled
+def _place(box_centre: Floats, turn: Floats, part: int, height: float) -> tuple[Floats, float]:
+    """Centre (3,) of the sole of a foot so high, and its yaw."""
+    centre = np.empty(3)
+    for axis in range(3):
+        centre[axis] = box_centre[part, axis] - height * turn[part, axis, 2]
+    return centre, math.atan2(turn[part, 1, 0], turn[part, 0, 0])
 
 
 def ahead_of_ankle(body: BodyState, yaw: float) -> Floats:
