@@ -9,9 +9,6 @@ from numpy.typing import NDArray
 
 from game.drawables import Layer
 
-PHYSICS_HZ = 480
-"""Time is an integer number of steps of 1/480 s: 8 to a 60 Hz picture, 16 to a 30 Hz sensor frame, 4 to a 120 Hz control tick."""
-
 
 @dataclass(frozen=True)
 class Plot:
@@ -64,7 +61,7 @@ class Scene(Protocol):
         ...
 
     def fixed_update(self) -> None:
-        """Advance exactly one 60 Hz picture frame of simulated time (8 physics steps at 1/480 s)."""
+        """Advance exactly one 60 Hz picture frame of simulated time (a whole number of physics steps, 4 of 1/240 s by default)."""
         ...
 
     def drawables(self, blend: float) -> tuple[Layer, ...]:
