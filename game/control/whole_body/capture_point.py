@@ -35,15 +35,6 @@ def escape(hull: Floats, xi: Floats, frequency: float, time_s: float) -> tuple[f
 
 
 @compiled
-def pressure_target(xi: Floats, wanted: Floats, frequency: float, gain: float, hull: Floats, beyond_m: float) -> Floats:
-    """(2,) the pivot that brings xi to `wanted` at rate `gain` (1/s), inside the hull; up to `beyond_m` outside once xi nears its edge.
-
-    From xi' = omega (xi - p): p = xi + gain / omega (xi - wanted). Outside the hull no pressure can be: the excess asks the arms and
-    trunk for angular momentum.
-    """
-    pivot = xi + gain / frequency * (xi - wanted)
-    inside = nearest_inside(hull, pivot)
-    allowed = min(max(-distance_inside(hull, xi), 0.0), beyond_m)
-    excess = pivot - inside
-    length = math.sqrt(excess[0] ** 2 + excess[1] ** 2)
-    return inside if length < 1e-9 else inside + excess * min(1.0, allowed / length)
+def pressure_target(xi: Floats, wanted: Floats, frequency: float, gain: float, hull: Floats) -> Floats:
+    """(2,) the pivot that brings xi to `wanted` at rate `gain` (1/s), kept inside the hull. From xi' = omega (xi - p)."""
+    return nearest_inside(hull, xi + gain / frequency * (xi - wanted))

@@ -13,7 +13,9 @@ from game.control.whole_body.support_polygon import distance_inside, nearest_ins
 
 Floats = NDArray[np.float64]
 
-LIFT_MARGIN_M = 0.035
+LIFT_MARGIN_M, LIFT_DEPTH_M = 0.035, 0.01
+"""A foot lifts once the capture point is so far inside the other sole; it is wanted a little deeper, so that it gets there."""
+
 PRESSURE_MARGIN_M = 0.01
 LOST_M = 0.03
 """A standing foot that has come this far off the floor is brought back like one that swings."""
@@ -24,6 +26,17 @@ NEAR_FLOOR_M = 0.08
 STEP_S = 0.26
 RETURN_S = 0.4
 LOOK_AHEAD_S = 0.1
+OUT_NOW_M, OUT_SOON_M, OUT_LONG_S = 0.025, 0.05, 0.12
+"""A step saves the balance once the capture point is that far outside, will be by then, or has been outside so long."""
+
+LAND_ENDS_M, LAND_SIDES_M = 0.1, 0.05
+"""A saving step brings the sole so well under the capture point that it lies this far inside."""
+
+LEAST_SIDE_M = 0.13
+"""m to its own side of the other foot that a saving step lands at least."""
+
+AMISS_S = 0.6
+"""A stance that is not the player's is mended after so long."""
 
 
 @dataclass(frozen=True)
@@ -63,16 +76,16 @@ class Footing:
             self.intended = standing[0]
         self._recover(soles, xi, frequency, wish, dt)
 
-    def hull(self, soles: tuple[Sole, Sole], margin_m: float) -> Floats:
+    def hull(self, soles: tuple[Sole, Sole], margin_m: float, ends_m: float = 0.0) -> Floats:
         """The polygon of the feet that stand, of both where none does."""
         left, right = self.feet[0].stands, self.feet[1].stands
-        return polygon(soles, left or not right, right or not left, margin_m)
+        return polygon(soles, left or not right, right or not left, margin_m, ends_m)
 
-    def goal_hull(self, soles: tuple[Sole, Sole], margin_m: float) -> Floats:
+    def goal_hull(self, soles: tuple[Sole, Sole], margin_m: float, ends_m: float = 0.0) -> Floats:
         """Where the capture point should be: over the foot that is to carry all, where there is one."""
         if self.intended is None:
-            return self.hull(soles, margin_m)
-        return soles[self.intended].corners(margin_m)
+            return self.hull(soles, margin_m, ends_m)
+        return soles[self.intended].corners(max(margin_m, LIFT_MARGIN_M + LIFT_DEPTH_M), ends_m)
 
     def _land(self, soles: tuple[Sole, Sole], wish: Wish) -> None:
         for side, foot in enumerate(self.feet):
@@ -127,7 +140,7 @@ class Footing:
         astray = [_astray(soles[side], wish, side) for side in range(2)]
         worst = int(astray[1] > astray[0])
         self.amiss_s = self.amiss_s + dt if astray[worst] > 1.0 and calm else 0.0
-        if astray[worst] > 1.0 and self.amiss_s > 0.6:
+        if astray[worst] > 1.0 and self.amiss_s > AMISS_S:
             return worst
         return None
 
@@ -138,7 +151,7 @@ class Footing:
         left, right = (foot.stands or self._comes_down(side, soles, wish) for side, foot in enumerate(self.feet))
         outside, ahead = escape(polygon(soles, left, right, 0.0), xi, frequency, LOOK_AHEAD_S)
         self.outside_s = self.outside_s + dt if outside > 0.0 else 0.0
-        if not (outside > 0.025 or ahead > 0.05 or self.outside_s > 0.12):
+        if not (outside > OUT_NOW_M or ahead > OUT_SOON_M or self.outside_s > OUT_LONG_S):
             self._retarget(soles, xi, frequency, wish)
             return
         if len(standing) == 1:
@@ -175,13 +188,13 @@ class Footing:
         pivot = nearest_inside(other.corners(PRESSURE_MARGIN_M), xi)
         landing = predicted(xi, pivot, frequency, max(time_s, 0.0))
         half = soles[side]
-        there = sole_corners(wish.place[side], wish.yaw[side], half.half_length - 0.04, half.half_width - 0.03)
+        there = sole_corners(wish.place[side], wish.yaw[side], half.half_length - LAND_ENDS_M, half.half_width - LAND_SIDES_M)
         place = wish.place[side] + landing - nearest_inside(there, landing)
         c, s = math.cos(other.yaw), math.sin(other.yaw)
         offset = place - other.centre[:2]
         ahead, left = c * offset[0] + s * offset[1], -s * offset[0] + c * offset[1]
         sign = 1.0 if side == 0 else -1.0
-        left = sign * max(sign * left, 0.13)
+        left = sign * max(sign * left, LEAST_SIDE_M)
         length = math.hypot(ahead, left)
         if length > 0.7:
             ahead, left = ahead * 0.7 / length, left * 0.7 / length

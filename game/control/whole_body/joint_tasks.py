@@ -42,3 +42,21 @@ def turn_acceleration(
     out = stiffness * error + damping * (wanted_spin - spin)
     size = one.length(out)
     return out * min(1.0, limit / max(size, 1e-9))
+
+
+@compiled
+def way_back(rotation: Floats, orientation: Floats, wanted: Floats, upright: Floats, rate: float, largest: float) -> Floats:
+    """(48,) rad/s at which pelvis and joints would come to the target's pose at `rate` (1/s), no axis faster than `largest`.
+
+    rotation, wanted (14, 4); orientation, upright (4,) of the pelvis. The pelvis goes nowhere.
+    """
+    count = len(rotation)
+    out = np.zeros(6 + 3 * count)
+    for j in range(count + 1):
+        if j < count:
+            first, error = 6 + 3 * j, one.log(one.multiply(one.conjugate(rotation[j]), wanted[j]))
+        else:
+            first, error = 3, one.log(one.multiply(one.conjugate(orientation), upright))
+        for axis in range(3):
+            out[first + axis] = min(max(rate * error[axis], -largest), largest)
+    return out

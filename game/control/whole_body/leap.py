@@ -19,7 +19,7 @@ STRAIGHT = 0.98
 
 RISING_M_S, PUSHING_M_S = 0.35, 0.6
 LANDING_S = 0.6
-LOWEST, HIGHEST = -8.0, 25.0
+LOWEST, HIGHEST = -8.0, 20.0
 """m/s^2 the COM may be asked for."""
 
 
@@ -39,7 +39,13 @@ def taking_off(window: MotionWindow, player: PlayerStance, body: BodyState, load
     speed = body.com_velocity[2]
     if speed < RISING_M_S:
         return False
-    if not any(body.foot_contact) or (speed > PUSHING_M_S and max(leg_reach(body, side) for side in range(2)) > STRAIGHT):
+    if not any(body.foot_contact):
+        return True
+    if (
+        speed > PUSHING_M_S
+        and leap_speed(window, player, body) > PUSHING_M_S
+        and max(leg_reach(body, side) for side in range(2)) > STRAIGHT
+    ):
         return True
     unloaded = load_n < 0.08 * body.subtree_mass[0] * body.gravity
     return player.flight and unloaded and speed > leap_speed(window, player, body) - 0.1

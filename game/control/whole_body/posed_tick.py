@@ -10,7 +10,7 @@ from game.compiled import compiled
 from game.control.whole_body.free_answer import Answer, free_answer
 from game.control.whole_body.inverse_dynamics import eliminate
 from game.control.whole_body.joint_limits import soft_limits
-from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration
+from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration, way_back
 from game.control.whole_body.task_stack import add_com, add_sole, add_spin, diagonal_tasks, wrench_rows
 from game.control.whole_body.torque_limits import limits_at
 
@@ -21,9 +21,6 @@ LARGEST_SHARE = 0.7
 
 ROOT_STIFFNESS, ROOT_DAMPING, LARGEST_ROOT = 200.0, 26.0, 60.0
 """1/s^2, 1/s, rad/s^2: of the pelvis's orientation."""
-
-SPIN_RATE = 2.0
-"""1/s, how fast angular momentum is to die away."""
 
 
 class Body(NamedTuple):
@@ -66,6 +63,9 @@ class Numbers(NamedTuple):
     pose_damping: float
     pelvis_weight: float
     spin_weight: float
+    spin_rate: float
+    back_rate: float
+    largest_back: float
     hold: float
     planned: float
     held_by_rad_s: float
@@ -128,7 +128,8 @@ def pose(body: Body, wanted: Wanted, numbers: Numbers, strength: Floats, joint_w
     if count > 0:
         add_com(hessian, gradient, mass, body.bias, body.gravity, body.total_mass, wanted.com_weight, wanted.com_goal)
     arm = body.com - body.joint[0]
-    momentum = add_spin(hessian, gradient, mass, body.bias, velocity, body.turn[0], arm, numbers.spin_weight, SPIN_RATE)
+    way = way_back(body.rotation, body.orientation[0], wanted.rotation, wanted.upright, numbers.back_rate, numbers.largest_back)
+    momentum = add_spin(hessian, gradient, mass, body.bias, velocity, way, body.turn[0], arm, numbers.spin_weight, numbers.spin_rate)
     lower, response, schur_inverse = eliminate(hessian, mass)
     return Posed(gradient, lower, response, schur_inverse, jacobian[:count], low, high, weight, inertia, firmness, momentum)
 

@@ -25,15 +25,15 @@ class Sole(NamedTuple):
     half_length: float
     half_width: float
 
-    def corners(self, margin_m: float) -> Floats:
-        """(4, 2) less a margin all round."""
-        return sole_corners(self.centre, self.yaw, max(self.half_length - margin_m, 0.005), max(self.half_width - margin_m, 0.005))
+    def corners(self, margin_m: float, ends_m: float = 0.0) -> Floats:
+        """(4, 2) less a margin all round, and `ends_m` more at heel and toes."""
+        return sole_corners(self.centre, self.yaw, max(self.half_length - margin_m - ends_m, 0.005), max(self.half_width - margin_m, 0.005))
 
 
-def polygon(soles: tuple[Sole, Sole], left: bool, right: bool, margin_m: float) -> Floats:
-    """(n, 2) the hull of one sole or of both, less a margin all round each."""
+def polygon(soles: tuple[Sole, Sole], left: bool, right: bool, margin_m: float, ends_m: float = 0.0) -> Floats:
+    """(n, 2) the hull of one sole or of both, less a margin all round each, and `ends_m` more at heels and toes."""
     a, b = soles
-    length, width = max(a.half_length - margin_m, 0.005), max(a.half_width - margin_m, 0.005)
+    length, width = max(a.half_length - margin_m - ends_m, 0.005), max(a.half_width - margin_m, 0.005)
     return hull_of_soles(a.centre, a.yaw, b.centre, b.yaw, left, right, length, width)
 
 

@@ -65,10 +65,10 @@ def add_com(
 
 @compiled
 def add_spin(
-    hessian: Floats, gradient: Floats, mass: Floats, bias: Floats, velocity: Floats, root_turn: Floats, arm: Floats,
-    weight: float, rate: float,
+    hessian: Floats, gradient: Floats, mass: Floats, bias: Floats, velocity: Floats, wanted_velocity: Floats,
+    root_turn: Floats, arm: Floats, weight: float, rate: float,
 ) -> Floats:  # fmt: skip
-    """Add the wish that angular momentum about the COM dies away at `rate` (1/s); gives that momentum (3,), world.
+    """Add the wish that angular momentum about the COM becomes that of `wanted_velocity` (48,) at `rate` (1/s); gives it (3,), world.
 
     arm (3,) from the root to the COM. Orin, Goswami & Lee 2013: the centroidal momentum from the root rows of M.
     """
@@ -80,9 +80,10 @@ def add_spin(
             turned = r0 * mass[3, column] + r1 * mass[4, column] + r2 * mass[5, column]
             rows[axis, column] = turned - p * mass[last, column] + q * mass[after, column]
         rest[axis] = r0 * bias[3] + r1 * bias[4] + r2 * bias[5] - p * bias[last] + q * bias[after]
-    momentum = np.zeros(3)
+    momentum, excess = np.zeros(3), np.zeros(3)
     for axis in range(3):
         for column in range(DOF_COUNT):
             momentum[axis] += rows[axis, column] * velocity[column]
-    add_task(hessian, gradient, rows, np.full(3, weight), -rate * momentum - rest)
+            excess[axis] += rows[axis, column] * (velocity[column] - wanted_velocity[column])
+    add_task(hessian, gradient, rows, np.full(3, weight), -rate * excess - rest)
     return momentum

@@ -16,7 +16,7 @@ from game.control.whole_body.contact_wrenches import cone_rows
 from game.control.whole_body.foot_goals import flight_task, foot_task, wish_of
 from game.control.whole_body.footing import PRESSURE_MARGIN_M, Footing
 from game.control.whole_body.hold_damping import hold
-from game.control.whole_body.leap import ComHeight, taking_off
+from game.control.whole_body.leap import ComHeight, leap_speed, taking_off
 from game.control.whole_body.leg_kinematics import sole_motions
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.player_stance import PlayerStance
@@ -32,7 +32,22 @@ Floats = NDArray[np.float64]
 GOAL_TIME_S = 0.04
 """Low-pass of where the capture point should be."""
 
-_COM_WEIGHT = np.array([2000.0, 2000.0, 500.0])
+GOAL_MARGIN_M, GOAL_ENDS_M = 0.02, 0.06
+"""The capture point is wanted this far inside the soles, and this much more from heels and toes: there is room left to push with."""
+
+CALM_M = 0.05
+"""A capture point no farther from the COM than this belongs to a body at rest."""
+
+LEAST_LOAD = 0.5
+"""Share of the weight that the floor is reckoned with at least when it is to push sideways."""
+
+SPIN_RATE, BACK_RATE, LARGEST_BACK = 2.0, 4.0, 2.0
+"""1/s of angular momentum; 1/s and rad/s of the way back to the target's pose that it may be used for."""
+
+LANDED_S = 0.4
+"""So long after a landing all turning is to end."""
+
+_COM_WEIGHT = np.array([15000.0, 15000.0, 500.0])
 PLANNED = 0.9
 """Share of a joint's strength that is planned with; the rest holds it to its plan between two ticks."""
 
@@ -99,7 +114,7 @@ class WholeBody:
         self._listen(target, dynamics, dt)
         if dynamics.held:
             return self._hanging.command(target, dynamics, dt)
-        if dynamics.com[2] < 0.5 or self.fallen:
+        if dynamics.com[2] < min(0.5, 0.8 * target.com[2]) or self.fallen:
             self.fallen = True
             return self._limp(target, dynamics)
         delay = self._settings.number("whole_body.delay_s")
@@ -126,15 +141,15 @@ class WholeBody:
         frequency = natural_frequency(body.gravity, float(body.com[2]) - floor)
         xi = capture_point(body.com, body.com_velocity, frequency)
         self._wish = wish_of(self._player, motion, body)
-        calm = math.hypot(*(xi - body.com[:2])) < 0.05
+        calm = math.hypot(*(xi - body.com[:2])) < CALM_M
         leaving = taking_off(self._window, self._player, body, float(self.wrench[2::6].sum()))
         self.footing.update(soles, xi, frequency, self._wish, calm, leaving, dt)
         goal = self._capture_goal(frequency, dt)
-        wanted = nearest_inside(self.footing.goal_hull(soles, 0.02), goal)
+        wanted = nearest_inside(self.footing.goal_hull(soles, GOAL_MARGIN_M, GOAL_ENDS_M), goal)
         self.com_target[:2] = wanted
         hull = self.footing.hull(soles, PRESSURE_MARGIN_M)
         self.xi = xi
-        self.pressure = pressure_target(xi, wanted, frequency, self._settings.number("whole_body.capture_rate"), hull, 0.03)
+        self.pressure = pressure_target(xi, wanted, frequency, self._settings.number("whole_body.capture_rate"), hull)
         self.cos = np.array([self.pressure[0], self.pressure[1], floor])
         return frequency
 
@@ -159,12 +174,17 @@ class WholeBody:
         right = self._sole_task(1, soles[1], right_twist, motion, body)
         com_goal = np.zeros(3)
         if standing:
-            com_goal[:2] = frequency**2 * (body.com[:2] - self.pressure)
             com_goal[2] = self._height.acceleration(motion, self._window, self._player, self.footing, body)
+            # the floor's force points from the pressure to the COM: the less it lifts, the less it pushes sideways
+            load = max(1.0 + com_goal[2] / body.gravity, LEAST_LOAD)
+            com_goal[:2] = load * frequency**2 * (body.com[:2] - self.pressure)
         number = self._settings.number
+        # who leaves the floor or meets it must not turn: there is nothing to come back with in the air
+        leaping = self.footing.landed_s < LANDED_S or leap_speed(self._window, self._player, body) > 0.0
         numbers = Numbers(
             number("whole_body.pose_stiffness"), number("whole_body.pose_damping"), number("whole_body.pelvis_weight"),
-            number("whole_body.spin_weight"), number("whole_body.hold"), PLANNED, HELD_BY_RAD_S, dt,
+            number("whole_body.spin_weight"), SPIN_RATE, 0.0 if leaping else BACK_RATE, LARGEST_BACK,
+            number("whole_body.hold"), PLANNED, HELD_BY_RAD_S, dt,
         )  # fmt: skip
         posed, answer = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),

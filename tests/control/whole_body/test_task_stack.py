@@ -71,7 +71,7 @@ def test_the_momentum_is_that_of_mujoco():
     world, body = thrown()
     mass, bias = body.equations
     arm = body.com - body.joint[0]
-    momentum = add_spin(np.zeros((48, 48)), np.zeros(48), mass, bias, body.velocity, body.turn[0], arm, 1.0, 2.0)
+    momentum = add_spin(np.zeros((48, 48)), np.zeros(48), mass, bias, body.velocity, np.zeros(48), body.turn[0], arm, 1.0, 2.0)
     mj.mj_forward(world.model, world.data)
     mj.mj_subtreeVel(world.model, world.data)
     seen = world.data.subtree_angmom[body.root_body]
@@ -79,18 +79,22 @@ def test_the_momentum_is_that_of_mujoco():
     np.testing.assert_allclose(momentum, seen, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize("share", [0.0, 0.5, 1.0])
 @pytest.mark.parametrize("decay", [0.0, 2.0])
-def test_the_spin_task_asks_the_momentum_to_die_away(decay):
-    """The accelerations that fulfil the task change MuJoCo's angular momentum at -decay times itself."""
+def test_the_spin_task_brings_the_momentum_to_the_wanted_one(decay, share):
+    """The accelerations that fulfil the task change MuJoCo's angular momentum at -decay times what there is too much of it.
+
+    A body wanted to move as it moves, but at a `share` of its speed, wants that share of its momentum.
+    """
     world, body = thrown()
     mass, bias = body.equations
     arm = body.com - body.joint[0]
     hessian, gradient = np.zeros((48, 48)), np.zeros(48)
-    momentum = add_spin(hessian, gradient, mass, bias, body.velocity, body.turn[0], arm, 1.0, decay)
+    momentum = add_spin(hessian, gradient, mass, bias, body.velocity, share * body.velocity, body.turn[0], arm, 1.0, decay)
     full = np.tril(hessian) + np.tril(hessian, -1).T
     acceleration = np.linalg.lstsq(full, gradient, rcond=1e-10)[0]
     seen = after(world, body, acceleration, lambda: world.data.subtree_angmom[body.root_body].copy())
-    np.testing.assert_allclose(seen, -decay * momentum, rtol=1e-4, atol=2e-3)
+    np.testing.assert_allclose(seen, -decay * (1.0 - share) * momentum, rtol=1e-4, atol=2e-3)
 
 
 def test_the_diagonal_tasks_ask_each_axis_for_its_own():
