@@ -41,7 +41,7 @@ CALM_M = 0.05
 LEAST_LOAD = 0.5
 """Share of the weight that the floor is reckoned with at least when it is to push sideways."""
 
-SPIN_RATE, BACK_RATE, LARGEST_BACK = 2.0, 4.0, 2.0
+SPIN_RATE, BACK_RATE, LARGEST_BACK = 2.0, 10.0, 2.0
 """1/s of angular momentum; 1/s and rad/s of the way back to the target's pose that it may be used for."""
 
 LANDED_S = 0.4
