@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from game import rotation_compiled as one
 from game.compiled import compiled
-from game.control.whole_body.joint_tasks import turn_acceleration
+from game.control.whole_body.joint_tasks import turn_acceleration, turn_error
 
 Floats = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ def swing(
     goal = np.empty(6)
     goal[:3] = 600.0 * (place - sole) + 45.0 * (velocity - twist[:3]) + acceleration
     goal[:3] *= min(1.0, LARGEST_SWING / max(one.length(goal[:3]), 1e-9))
-    goal[3:] = one.turn(turn, turn_acceleration(orientation, one.turn_back(turn, twist[3:]), facing, spin, 250.0, 30.0, 200.0))
+    goal[3:] = one.turn(turn, turn_acceleration(turn_error(orientation, facing), one.turn_back(turn, twist[3:]), spin, 250.0, 30.0, 200.0))
     return np.full(6, SWING_WEIGHT), goal
 
 
@@ -56,5 +56,6 @@ def flight(
     goal = np.zeros(6)
     goal[:2] = 150.0 * (under - sole[:2]) + 25.0 * (com_velocity[:2] - twist[:2])
     goal[:3] *= min(1.0, 40.0 / max(one.length(goal[:3]), 1e-9))
-    goal[3:] = one.turn(turn, turn_acceleration(orientation, one.turn_back(turn, twist[3:]), facing, np.zeros(3), 250.0, 30.0, 200.0))
+    spin = one.turn_back(turn, twist[3:])
+    goal[3:] = one.turn(turn, turn_acceleration(turn_error(orientation, facing), spin, np.zeros(3), 250.0, 30.0, 200.0))
     return np.array([10.0, 10.0, 0.0, 3.0, 3.0, 3.0]), goal

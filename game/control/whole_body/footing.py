@@ -171,15 +171,15 @@ class Footing:
         """A recovery step under way goes where the capture point will be by then."""
         for side, foot in enumerate(self.feet):
             if foot.phase is Phase.STEP and foot.duration_s == STEP_S and foot.time_s < 0.6 * STEP_S:
-                foot.goal = self._capture_goal(side, soles, xi, frequency, wish, STEP_S - foot.time_s)
+                foot.goal = self._landing_goal(side, soles, xi, frequency, wish, STEP_S - foot.time_s)
 
     def _step(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> None:
-        goal = self._capture_goal(side, soles, xi, frequency, wish, STEP_S)
+        goal = self._landing_goal(side, soles, xi, frequency, wish, STEP_S)
         self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, soles[1 - side].yaw, STEP_S)
         self.outside_s = 0.0
         self.intended = 1 - side
 
-    def _capture_goal(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, time_s: float) -> Floats:
+    def _landing_goal(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, time_s: float) -> Floats:
         """(3,) where the sole should come down: where the player has it, moved as little as the capture point of touch-down asks.
 
         It stays on its own side of the other foot and within a leg's reach.
@@ -187,8 +187,7 @@ class Footing:
         other = soles[1 - side]
         pivot = nearest_inside(other.corners(PRESSURE_MARGIN_M), xi)
         landing = predicted(xi, pivot, frequency, max(time_s, 0.0))
-        half = soles[side]
-        there = sole_corners(wish.place[side], wish.yaw[side], half.half_length - LAND_ENDS_M, half.half_width - LAND_SIDES_M)
+        there = sole_corners(wish.place[side], wish.yaw[side], other.half_length - LAND_ENDS_M, other.half_width - LAND_SIDES_M)
         place = wish.place[side] + landing - nearest_inside(there, landing)
         c, s = math.cos(other.yaw), math.sin(other.yaw)
         offset = place - other.centre[:2]

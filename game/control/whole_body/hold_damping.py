@@ -10,6 +10,12 @@ Floats = NDArray[np.float64]
 SPARE_RAD_S = 5.0
 """So far off its planned speed a joint may be thrown before the hold and the torque together take all its strength."""
 
+MIDDLE = 0.56
+"""Share of a tick after which the damping meets the velocity that it is to hold: the middle of the steps it acts in."""
+
+LARGEST_CHANGE_RAD_S, FASTEST_RAD_S = 5.0, 25.0
+"""What a joint is planned to gain in half a tick at most, and how fast a hold lets it be."""
+
 
 @compiled
 def hold_damping(wanted: Floats, torque: Floats, low: Floats, high: Floats) -> Floats:
@@ -21,20 +27,12 @@ def hold_damping(wanted: Floats, torque: Floats, low: Floats, high: Floats) -> F
     return out
 
 
-MIDDLE = 0.56
-"""Share of a tick after which the damping meets the velocity that it is to hold: the middle of the steps it acts in."""
-
-
 @compiled
 def hold(
     firmness: Floats, torque: Floats, low: Floats, high: Floats, velocity: Floats, acceleration: Floats, dt: float
 ) -> tuple[Floats, Floats]:
     """Damping N m s/rad and speed rad/s, (42,) each, that hold the joints to their plan for `dt`; velocity, acceleration (48,)."""
     return hold_damping(firmness, torque, low, high), held_speed(velocity[6:], MIDDLE * dt * acceleration[6:])
-
-
-LARGEST_CHANGE_RAD_S, FASTEST_RAD_S = 5.0, 25.0
-"""What a joint is planned to gain in half a tick at most, and how fast a hold lets it be."""
 
 
 @compiled

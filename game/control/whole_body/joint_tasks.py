@@ -14,49 +14,54 @@ LARGEST_SPIN, LARGEST_SPIN_RATE = 15.0, 120.0
 
 
 @compiled
-def joint_accelerations(
-    now: Floats, velocity: Floats, wanted: Floats, spin: Floats, spin_rate: Floats, stiffness: float, damping: float, limit: Floats
-) -> Floats:
-    """(42,) rad/s^2, child frames: stiffness times error, damping times the error's rate, and the target's own acceleration.
-
-    now, wanted (14, 4); velocity (42,), limit (42,); spin, spin_rate (14, 3).
-    """
-    out = np.empty(3 * len(now))
-    for j in range(len(now)):
-        error = one.log(one.multiply(one.conjugate(now[j]), wanted[j]))
-        for axis in range(3):
-            row = 3 * j + axis
-            rate = min(max(spin[j, axis], -LARGEST_SPIN), LARGEST_SPIN)
-            surge = min(max(spin_rate[j, axis], -LARGEST_SPIN_RATE), LARGEST_SPIN_RATE)
-            value = stiffness * error[axis] + damping * (rate - velocity[row]) + surge
-            out[row] = min(max(value, -limit[row]), limit[row])
+def turn_error(now: Floats, wanted: Floats) -> Floats:
+    """(3,) rad, the rotation vector from `now` (4,) to `wanted` (4,), in the frame of `now`."""
+    out = np.empty(3)
+    out[0], out[1], out[2] = one.turn_to(now, wanted)
     return out
 
 
 @compiled
-def turn_acceleration(
-    now: Floats, spin: Floats, wanted: Floats, wanted_spin: Floats, stiffness: float, damping: float, limit: float
+def joint_errors(now: Floats, wanted: Floats) -> Floats:
+    """(42,) rad from the joints' rotations now (14, 4) to the wanted ones, child frames."""
+    out = np.empty(3 * len(now))
+    for j in range(len(now)):
+        out[3 * j], out[3 * j + 1], out[3 * j + 2] = one.turn_to(now[j], wanted[j])
+    return out
+
+
+@compiled
+def joint_accelerations(
+    error: Floats, velocity: Floats, spin: Floats, spin_rate: Floats, stiffness: float, damping: float, limit: Floats
 ) -> Floats:
-    """(3,) rad/s^2 in the frame of `now` (4,): towards `wanted` (4,); spins (3,) in the frames they belong to."""
-    error = one.log(one.multiply(one.conjugate(now), wanted))
+    """(42,) rad/s^2, child frames: stiffness times error, damping times the error's rate, and the target's own acceleration.
+
+    error, velocity, limit (42,); spin, spin_rate (14 or more, 3).
+    """
+    out = np.empty(len(error))
+    for row in range(len(error)):
+        j, axis = row // 3, row % 3
+        rate = min(max(spin[j, axis], -LARGEST_SPIN), LARGEST_SPIN)
+        surge = min(max(spin_rate[j, axis], -LARGEST_SPIN_RATE), LARGEST_SPIN_RATE)
+        value = stiffness * error[row] + damping * (rate - velocity[row]) + surge
+        out[row] = min(max(value, -limit[row]), limit[row])
+    return out
+
+
+@compiled
+def turn_acceleration(error: Floats, spin: Floats, wanted_spin: Floats, stiffness: float, damping: float, limit: float) -> Floats:
+    """(3,) rad/s^2 in a body's frame, from its rotation vector `error` (3,) to where it is wanted; spins (3,) in their own frames."""
     out = stiffness * error + damping * (wanted_spin - spin)
     size = one.length(out)
     return out * min(1.0, limit / max(size, 1e-9))
 
 
 @compiled
-def way_back(rotation: Floats, orientation: Floats, wanted: Floats, upright: Floats, rate: float, largest: float) -> Floats:
+def way_back(error: Floats, root_error: Floats, rate: float, largest: float) -> Floats:
     """(48,) rad/s at which pelvis and joints would come to the target's pose at `rate` (1/s), no axis faster than `largest`.
 
-    rotation, wanted (14, 4); orientation, upright (4,) of the pelvis. The pelvis goes nowhere.
+    error (42,) of the joints, root_error (3,) of the pelvis, which goes nowhere.
     """
-    count = len(rotation)
-    out = np.zeros(6 + 3 * count)
-    for j in range(count + 1):
-        if j < count:
-            first, error = 6 + 3 * j, one.log(one.multiply(one.conjugate(rotation[j]), wanted[j]))
-        else:
-            first, error = 3, one.log(one.multiply(one.conjugate(orientation), upright))
-        for axis in range(3):
-            out[first + axis] = min(max(rate * error[axis], -largest), largest)
-    return out
+    out = np.zeros(6 + len(error))
+    out[3:6], out[6:] = root_error, error
+    return np.minimum(np.maximum(rate * out, -largest), largest)

@@ -10,7 +10,7 @@ from game.compiled import compiled
 from game.control.whole_body.free_answer import Answer, free_answer
 from game.control.whole_body.inverse_dynamics import eliminate
 from game.control.whole_body.joint_limits import soft_limits
-from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration, way_back
+from game.control.whole_body.joint_tasks import joint_accelerations, joint_errors, turn_acceleration, turn_error, way_back
 from game.control.whole_body.task_stack import add_com, add_sole, add_spin, diagonal_tasks, wrench_rows
 from game.control.whole_body.torque_limits import limits_at
 
@@ -101,34 +101,23 @@ def pose(body: Body, wanted: Wanted, numbers: Numbers, strength: Floats, joint_w
         strongest = max(-strength[0, row], strength[1, row])
         largest[row] = LARGEST_SHARE * strongest / inertia[row]
         firmness[row] = numbers.hold * max(inertia[row] / numbers.dt, strongest / numbers.held_by_rad_s)
-    goal = joint_accelerations(
-        body.rotation, velocity[6:], wanted.rotation, wanted.spin, wanted.spin_rate, numbers.pose_stiffness, numbers.pose_damping, largest
-    )
+    error, root_error = joint_errors(body.rotation, wanted.rotation), turn_error(body.orientation[0], wanted.upright)
+    goal = joint_accelerations(error, velocity[6:], wanted.spin, wanted.spin_rate, numbers.pose_stiffness, numbers.pose_damping, largest)
     soft_limits(body.rotation, velocity[6:], weight, goal)
-    root = turn_acceleration(
-        body.orientation[0], velocity[3:6], wanted.upright, wanted.spin[JOINT_COUNT], ROOT_STIFFNESS, ROOT_DAMPING, LARGEST_ROOT
-    )
+    root = turn_acceleration(root_error, velocity[3:6], wanted.spin[JOINT_COUNT], ROOT_STIFFNESS, ROOT_DAMPING, LARGEST_ROOT)
     hessian, gradient = diagonal_tasks(weight, goal, numbers.pelvis_weight, root)
     jacobian = np.empty((12, DOF_COUNT))
     count = 0
     for side in range(2):
-        of_sole = add_sole(
-            hessian,
-            gradient,
-            side,
-            wanted.centre[side],
-            body.joint,
-            body.turn,
-            wanted.weight[side],
-            wanted.goal[side] - wanted.product[side],
-        )
+        asked = wanted.goal[side] - wanted.product[side]
+        of_sole = add_sole(hessian, gradient, side, wanted.centre[side], body.joint, body.turn, wanted.weight[side], asked)
         if wanted.pushes[side]:
             jacobian[count : count + 6] = wrench_rows(of_sole, body.turn[FEET[side]])
             count += 6
     if count > 0:
         add_com(hessian, gradient, mass, body.bias, body.gravity, body.total_mass, wanted.com_weight, wanted.com_goal)
     arm = body.com - body.joint[0]
-    way = way_back(body.rotation, body.orientation[0], wanted.rotation, wanted.upright, numbers.back_rate, numbers.largest_back)
+    way = way_back(error, root_error, numbers.back_rate, numbers.largest_back)
     momentum = add_spin(hessian, gradient, mass, body.bias, velocity, way, body.turn[0], arm, numbers.spin_weight, numbers.spin_rate)
     lower, response, schur_inverse = eliminate(hessian, mass)
     return Posed(gradient, lower, response, schur_inverse, jacobian[:count], low, high, weight, inertia, firmness, momentum)

@@ -4,7 +4,15 @@ import numpy as np
 
 from game import rotation
 from game.characters.skeleton import JOINT_COUNT, JOINTS
-from game.control.whole_body.joint_tasks import LARGEST_SPIN, LARGEST_SPIN_RATE, joint_accelerations, turn_acceleration, way_back
+from game.control.whole_body.joint_tasks import (
+    LARGEST_SPIN,
+    LARGEST_SPIN_RATE,
+    joint_accelerations,
+    joint_errors,
+    turn_acceleration,
+    turn_error,
+    way_back,
+)
 from tests.physics.standing import bent, idle_joints
 
 REST, STILL = np.zeros(42), np.zeros((JOINT_COUNT, 3))
@@ -13,7 +21,7 @@ ELBOW = JOINTS.index("elbow_left")
 
 
 def asked(now, wanted, velocity=REST, spin=STILL, rate=STILL, limit=ENOUGH):
-    return joint_accelerations(now, velocity, wanted, spin, rate, 250.0, 28.0, limit)
+    return joint_accelerations(joint_errors(now, wanted), velocity, spin, rate, 250.0, 28.0, limit)
 
 
 def test_on_target_at_its_speed_a_joint_follows_the_target_s_own_acceleration():
@@ -63,21 +71,21 @@ def test_a_pelvis_turns_towards_its_target_and_no_harder_than_allowed():
     now = rotation.exp(np.array([0.3, 0.2, -0.4]))
     error = np.array([0.0, 0.05, -0.1])
     wanted = rotation.multiply(now, rotation.exp(error))
-    out = turn_acceleration(now, np.zeros(3), wanted, np.zeros(3), 200.0, 26.0, 60.0)
+    out = turn_acceleration(turn_error(now, wanted), np.zeros(3), np.zeros(3), 200.0, 26.0, 60.0)
     np.testing.assert_allclose(out, 200.0 * error, atol=1e-9)
-    hard = turn_acceleration(now, np.zeros(3), wanted, np.zeros(3), 200.0, 26.0, 5.0)
+    hard = turn_acceleration(turn_error(now, wanted), np.zeros(3), np.zeros(3), 200.0, 26.0, 5.0)
     np.testing.assert_allclose(hard, 5.0 * error / np.linalg.norm(error), atol=1e-9)
 
 
 def test_a_pelvis_where_it_should_be_is_left_alone():
     now = rotation.exp(np.array([0.3, 0.2, -0.4]))
     spin = np.array([1.0, 2.0, 3.0])
-    np.testing.assert_allclose(turn_acceleration(now, spin, now, spin, 200.0, 26.0, 60.0), 0.0, atol=1e-9)
+    np.testing.assert_allclose(turn_acceleration(turn_error(now, now), spin, spin, 200.0, 26.0, 60.0), 0.0, atol=1e-9)
 
 
 def test_the_way_back_from_the_target_is_none():
     joints, upright = bent(elbow_left=(0.1, -0.8, 0.2)), rotation.exp(np.array([0.1, 0.2, 0.3]))
-    np.testing.assert_allclose(way_back(joints, upright, joints, -upright, 4.0, 2.0), np.zeros(48), atol=1e-12)
+    np.testing.assert_allclose(way_back(joint_errors(joints, joints), turn_error(upright, -upright), 4.0, 2.0), np.zeros(48), atol=1e-12)
 
 
 def test_the_way_back_is_the_error_a_second_at_its_rate_and_never_faster_than_allowed():
@@ -85,7 +93,7 @@ def test_the_way_back_is_the_error_a_second_at_its_rate_and_never_faster_than_al
     wanted = joints.copy()
     wanted[ELBOW] = rotation.multiply(joints[ELBOW], rotation.exp(error))
     lean = np.array([0.2, -0.3, 0.0])
-    way = way_back(joints, rotation.exp(np.zeros(3)), wanted, rotation.exp(lean), 4.0, 2.0)
+    way = way_back(joint_errors(joints, wanted), turn_error(rotation.exp(np.zeros(3)), rotation.exp(lean)), 4.0, 2.0)
     np.testing.assert_allclose(way[:3], 0.0)
     np.testing.assert_allclose(way[3:6], 4.0 * lean, atol=1e-12)
     np.testing.assert_allclose(way[6:].reshape(JOINT_COUNT, 3)[ELBOW], [0.2, -0.4, 2.0], atol=1e-12)
