@@ -25,9 +25,9 @@ LOWEST, HIGHEST = -8.0, 20.0
 
 def leap_speed(window: MotionWindow, player: PlayerStance, body: BodyState) -> float:
     """m/s upwards that would carry the COM as high as the player's is going, by the newest frames; 0 where nobody leaps."""
-    newest = window.moment(window.newest_s)
-    rise = max(float(newest.velocity[3, 2]), 0.0)
-    apex = player.place(newest.place[3])[2] + rise * rise / (2.0 * body.gravity)
+    height, speed = window.newest_rise
+    rise = max(speed, 0.0)
+    apex = height - player.floor_z + rise * rise / (2.0 * body.gravity)
     standing = body.plan.idle_com_height
     if not player.flight and apex < standing + LEAST_LEAP_M:
         return 0.0

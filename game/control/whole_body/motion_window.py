@@ -55,6 +55,7 @@ class MotionWindow:
         self._times, self._turns, self._places = np.zeros(FRAMES), np.zeros((FRAMES, _TURNS, 4)), np.zeros((FRAMES, _PLACES, 3))
         self._fit: list[Floats] = []
         self._com_velocity = np.zeros(3)
+        self._rise = (0.0, 0.0)
 
     @property
     def newest_s(self) -> float:
@@ -68,7 +69,7 @@ class MotionWindow:
     def add(self, target: KinematicTarget, span_s: float) -> None:
         """Take a frame in; frames older than `span_s` before it are forgotten, but three are always kept where there are three."""
         pose = target.pose
-        self._count, *fit, self._com_velocity = _take(
+        self._count, *fit, self._com_velocity, self._rise = _take(
             self._times, self._turns, self._places, self._count, span_s, target.time_s, target.joint_rotation, target.root_orientation,
             pose.orientation, target.root_position, pose.joint, target.com,
         )  # fmt: skip
@@ -79,19 +80,29 @@ class MotionWindow:
         middle, turn_terms, place_terms = self._fit
         last = self._count - 1
         since = min(max(time_s, self._times[0]), self._times[last] + 0.5 / 30.0) - self._times[last // 2]
-        return Motion(*_evaluate(middle, turn_terms, place_terms, since))
+        # made here and filled there: handing arrays out of compiled code costs more than this
+        motion = (*np.empty((2, _TURNS, 3)), *np.empty((3, _PLACES, 3)))
+        turn, (spin, spin_rate, place, velocity, acceleration) = np.empty((_TURNS, 4)), motion
+        _evaluate(middle, turn_terms, place_terms, since, turn, spin, spin_rate, place, velocity, acceleration)
+        return Motion(turn, spin, spin_rate, place, velocity, acceleration)
 
     def com_velocity(self) -> Floats:
         """(3,) m/s of the COM over the window, by a straight line: less noisy at its end than the parabola."""
         return self._com_velocity
+
+    @property
+    def newest_rise(self) -> tuple[float, float]:
+        """Height (m) and upward speed (m/s) of the COM in the `moment` of the newest frame."""
+        return self._rise
 
 
 @compiled
 def _take(
     times: Floats, turns: Floats, places: Floats, count: int, span_s: float, time_s: float, joint_rotation: Floats,
     root_orientation: Floats, orientation: Floats, root_position: Floats, joint: Floats, com: Floats,
-) -> tuple[int, Floats, Floats, Floats, Floats]:  # fmt: skip
-    """Put a frame behind the `count` first ones, drop the old ones from the front; gives how many there are, `_fit` and `_slope`."""
+) -> tuple[int, Floats, Floats, Floats, Floats, tuple[float, float]]:  # fmt: skip
+    """Put a frame behind the `count` first ones, drop the old ones from the front; gives how many there are, `_fit`, `_slope` and the
+    COM's rise in the newest."""
     if count > 0 and time_s <= times[count - 1]:
         count = 0
     drop = 1 if count == FRAMES else 0
@@ -108,7 +119,9 @@ def _take(
         places[count, 1 + side] = joint[FEET[side]]
     count += 1
     middle, turn_terms, place_terms = _fit(times[:count], turns[:count], places[:count])
-    return count, middle, turn_terms, place_terms, _slope(times[:count], places[:count])
+    since, com = times[count - 1] - times[(count - 1) // 2], place_terms[_COM]
+    rise = com[0, 2] + since * com[1, 2] + 0.5 * since * since * com[2, 2], com[1, 2] + since * com[2, 2]
+    return count, middle, turn_terms, place_terms, _slope(times[:count], places[:count]), rise
 
 
 @compiled
@@ -186,17 +199,20 @@ def _fit(times: Floats, turns: Floats, places: Floats) -> tuple[Floats, Floats, 
 
 
 @compiled
-def _evaluate(middle: Floats, turn_terms: Floats, place_terms: Floats, t: float) -> tuple[Floats, Floats, Floats, Floats, Floats, Floats]:
-    count, places = len(turn_terms), len(place_terms)
-    turn, spin, spin_rate = np.empty((count, 4)), np.empty((count, 3)), np.empty((count, 3))
-    for n in range(count):
-        away = turn_terms[n, 0] + t * turn_terms[n, 1] + 0.5 * t * t * turn_terms[n, 2]
+def _evaluate(
+    middle: Floats, turn_terms: Floats, place_terms: Floats, t: float, turn: Floats, spin: Floats, spin_rate: Floats, place: Floats,
+    velocity: Floats, acceleration: Floats,
+) -> None:  # fmt: skip
+    """Fill the fields of a `Motion` with what the terms of `_fit` give at `t` seconds from the middle frame."""
+    away = np.empty(3)
+    for n in range(len(turn_terms)):
+        for axis in range(3):
+            rest, slope, bend = turn_terms[n, 0, axis], turn_terms[n, 1, axis], turn_terms[n, 2, axis]
+            away[axis] = rest + t * slope + 0.5 * t * t * bend
+            spin[n, axis], spin_rate[n, axis] = slope + t * bend, bend
         turn[n] = one.multiply(middle[n], one.exp(away))
-        spin[n] = turn_terms[n, 1] + t * turn_terms[n, 2]
-        spin_rate[n] = turn_terms[n, 2]
-    place, velocity, acceleration = np.empty((places, 3)), np.empty((places, 3)), np.empty((places, 3))
-    for n in range(places):
-        place[n] = place_terms[n, 0] + t * place_terms[n, 1] + 0.5 * t * t * place_terms[n, 2]
-        velocity[n] = place_terms[n, 1] + t * place_terms[n, 2]
-        acceleration[n] = place_terms[n, 2]
-    return turn, spin, spin_rate, place, velocity, acceleration
+    for n in range(len(place_terms)):
+        for axis in range(3):
+            rest, slope, bend = place_terms[n, 0, axis], place_terms[n, 1, axis], place_terms[n, 2, axis]
+            place[n, axis] = rest + t * slope + 0.5 * t * t * bend
+            velocity[n, axis], acceleration[n, axis] = slope + t * bend, bend
