@@ -157,6 +157,14 @@ def yaw(q: Floats) -> float:
 
 
 @compiled
+def wrapped(angle_rad: float) -> float:
+    """The same direction within half a turn, of an angle within one and a half: of the difference of two headings."""
+    if angle_rad > math.pi:
+        return angle_rad - 2.0 * math.pi
+    return angle_rad + 2.0 * math.pi if angle_rad < -math.pi else angle_rad
+
+
+@compiled
 def about_z(angle_rad: float) -> Floats:
     """The quaternion of a turn about world z."""
     q = np.zeros(4)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from game.control.ankle_strategy import AnkleStrategy
 from game.control.whole_body.contact_states import Phase
-from game.control.whole_body.sole import sole_of
+from game.control.whole_body.sole import soles_of
 from game.control.whole_body.support_polygon import sole_corners
 from game.control.whole_body.whole_body import WholeBody
 from game.physics.dynamics import BodyDynamics
@@ -79,7 +79,7 @@ def _touching(body: BodyDynamics) -> tuple[str, str]:
 
 
 def _landing(strategy: WholeBody, body: BodyDynamics, side: int) -> Floats:
-    foot, sole = strategy.footing.feet[side], sole_of(body, side)
+    foot, sole = strategy.footing.feet[side], soles_of(body)[side]
     return sole_corners(foot.goal, foot.goal_yaw, sole.half_length, sole.half_width)
 
 

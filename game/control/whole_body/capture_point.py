@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiled import compiled
+from game.control.whole_body.player_stance import Overlay, laid_over, turned_over
 from game.control.whole_body.support_polygon import distance_inside, nearest_inside
 
 Floats = NDArray[np.float64]
@@ -38,3 +39,22 @@ def escape(hull: Floats, xi: Floats, frequency: float, time_s: float) -> tuple[f
 def pressure_target(xi: Floats, wanted: Floats, frequency: float, gain: float, hull: Floats) -> Floats:
     """(2,) the pivot that brings xi to `wanted` at rate `gain` (1/s), kept inside the hull. From xi' = omega (xi - p)."""
     return nearest_inside(hull, xi + gain / frequency * (xi - wanted))
+
+
+@compiled
+def players_capture_point(com: Floats, velocity: Floats, overlay: Overlay, frequency: float) -> tuple[float, float]:
+    """x, y (m) in the character's world of the capture point that a COM (3,) and its velocity (3,) in the player's have there."""
+    place, way = laid_over(com, overlay), turned_over(velocity, overlay)
+    return place[0] + way[0] / frequency, place[1] + way[1] / frequency
+
+
+@compiled
+def steer(
+    goal_x: float, goal_y: float, goal_hull: Floats, xi: Floats, frequency: float, gain: float, hull: Floats
+) -> tuple[float, float, float, float]:
+    """x, y of the place in `goal_hull` nearest to a goal, where xi is to go, and of the `pressure_target` that brings it there."""
+    goal = np.empty(2)
+    goal[0], goal[1] = goal_x, goal_y
+    wanted = nearest_inside(goal_hull, goal)
+    pressure = pressure_target(xi, wanted, frequency, gain, hull)
+    return wanted[0], wanted[1], pressure[0], pressure[1]

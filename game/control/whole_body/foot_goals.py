@@ -7,21 +7,19 @@ from numpy.typing import NDArray
 
 from game import rotation_compiled as one
 from game.characters.skeleton import FEET, JOINT_COUNT
+from game.compiled import compiled
 from game.control.joint_command import BodyState
 from game.control.whole_body.contact_states import FootState, Phase
-from game.control.whole_body.foot_tasks import CATCH_UP_S, flight, stance, swing
+from game.control.whole_body.foot_tasks import flight, follow, stance, swing
 from game.control.whole_body.footing import Wish
 from game.control.whole_body.motion_window import Motion
-from game.control.whole_body.player_stance import PlayerStance
+from game.control.whole_body.player_stance import Overlay, PlayerStance, laid_over
 from game.control.whole_body.sole import Sole, ahead_of_ankle
 
 Floats = NDArray[np.float64]
 
 CLEARANCE_M = 0.06
 """How high a step of its own swings."""
-
-LEAST_LIFT_M, PRESS_M = 0.02, 0.01
-"""A foot that the player has up is this far off the floor at least; one that he has down is aimed this far below it."""
 
 INWARD_RAD, OUTWARD_RAD = 0.3, 0.8
 """How far a foot turns in its leg; what points elsewhere was not seen well."""
@@ -34,54 +32,58 @@ _STILL = np.zeros(3)
 
 def wish_of(player: PlayerStance, motion: Motion, body: BodyState) -> Wish:
     """What the player wants of the feet: which are up, and where the soles should stand in the character's world."""
-    place, yaw = np.empty((2, 2)), [0.0, 0.0]
-    heading = one.yaw(motion.root)
+    place = np.empty((2, 2))
+    yaws = _wished_soles(motion.turn, motion.place, player.overlay, player.turn_rad, ahead_of_ankle(body), place)
+    return Wish((player.up[0], player.up[1]), player.flight, place, yaws)
+
+
+@compiled
+def _wished_soles(turn: Floats, place: Floats, overlay: Overlay, turn_rad: float, ahead_m: float, out: Floats) -> tuple[float, float]:
+    """Write the places (2, 2) of the soles, so far ahead of their ankles, and give their yaws; turn (17, 4), place (4, 3) of a `Motion`."""
+    heading = one.yaw(turn[JOINT_COUNT])
+    left = heading + min(max(one.wrapped(one.yaw(turn[JOINT_COUNT + 1]) - heading), -INWARD_RAD), OUTWARD_RAD) + turn_rad
+    right = heading - min(max(-one.wrapped(one.yaw(turn[JOINT_COUNT + 2]) - heading), -INWARD_RAD), OUTWARD_RAD) + turn_rad
     for side in range(2):
-        outward = 1.0 if side == 0 else -1.0
-        turned = outward * math.remainder(one.yaw(motion.turn[JOINT_COUNT + 1 + side]) - heading, math.tau)
-        yaw[side] = heading + outward * min(max(turned, -INWARD_RAD), OUTWARD_RAD) + player.turn_rad
-        place[side] = player.ankle(motion, side)[:2] + ahead_of_ankle(body, yaw[side])
-    c, s = math.cos(heading + player.turn_rad), math.sin(heading + player.turn_rad)
-    apart = place[0] - place[1]
-    short = LEAST_APART_M - (-s * apart[0] + c * apart[1])
+        yaw = left if side == 0 else right
+        ankle = laid_over(place[1 + side], overlay)
+        out[side, 0], out[side, 1] = ankle[0] + ahead_m * math.cos(yaw), ankle[1] + ahead_m * math.sin(yaw)
+    c, s = math.cos(heading + turn_rad), math.sin(heading + turn_rad)
+    short = LEAST_APART_M - (-s * (out[0, 0] - out[1, 0]) + c * (out[0, 1] - out[1, 1]))
     if short > 0.0:
-        place[0] += 0.5 * short * np.array([-s, c])
-        place[1] -= 0.5 * short * np.array([-s, c])
-    return Wish((player.up[0], player.up[1]), player.flight, place, (yaw[0], yaw[1]))
+        out[0, 0] -= 0.5 * short * s
+        out[0, 1] += 0.5 * short * c
+        out[1, 0] += 0.5 * short * s
+        out[1, 1] -= 0.5 * short * c
+    return left, right
 
 
 def foot_task(
-    side: int, sole: Sole, foot: FootState, twist: Floats, motion: Motion, player: PlayerStance, wish: Wish, body: BodyState
-) -> tuple[Floats, Floats]:
-    """Weights (6,) and acceleration (6,) of a sole that moves with `twist` (6,), feet not in flight."""
-    orientation, turn = body.orientation[FEET[side]], body.turn[FEET[side]]
+    side: int, sole: Sole, foot: FootState, twist: Floats, motion: Motion, player: PlayerStance, wish: Wish, body: BodyState,
+    weight: Floats, goal: Floats,
+) -> None:  # fmt: skip
+    """Fill weight (6,) and goal (6,), an acceleration, of a sole that moves with `twist` (6,), feet not in flight."""
+    turn = body.turn[FEET[side]]
     if foot.stands:
-        return stance(twist, turn, sole.centre[2], sole.touches, foot.time_s)
+        stance(twist, turn, sole.centre[2], sole.touches, foot.time_s, weight, goal)
+        return
+    orientation = body.orientation[FEET[side]]
     if foot.phase is Phase.STEP:
         place, velocity, acceleration, yaw = foot.step_motion(CLEARANCE_M)
-        return swing(sole.centre, orientation, turn, twist, place, velocity, acceleration, one.about_z(yaw), _STILL)
-    place = np.array([*wish.place[side], player.ankle(motion, side)[2] - body.plan.joint[FEET[0], 2]])
-    if player.up[side]:
-        facing = player.orientation(motion.turn[JOINT_COUNT + 1 + side])
-        place[2] = max(place[2], LEAST_LIFT_M)
-    else:
-        facing = one.about_z(wish.yaw[side])
-        place[2] = min(place[2], 0.0) - PRESS_M
-    velocity, acceleration = player.direction(motion.velocity[1 + side]), player.direction(motion.acceleration[1 + side])
-    if foot.fresh:
-        foot.fresh = False
-        foot.behind = sole.centre - place
-    left = max(1.0 - foot.time_s / CATCH_UP_S, 0.0)
-    place += left * left * foot.behind
-    velocity -= 2.0 * left / CATCH_UP_S * foot.behind
-    return swing(sole.centre, orientation, turn, twist, place, velocity, acceleration, facing, motion.spin[JOINT_COUNT + 1 + side])
+        swing(sole.centre, orientation, turn, twist, place, velocity, acceleration, one.about_z(yaw), _STILL, weight, goal)
+        return
+    follow(
+        side, sole.centre, orientation, turn, twist, player.up[side], wish.place[side], wish.yaw[side], body.plan.joint[FEET[0], 2],
+        tuple(motion), player.overlay, player.turn_rad, foot.behind, foot.time_s, foot.fresh, weight, goal,
+    )  # fmt: skip
+    foot.fresh = False
 
 
 def flight_task(
-    side: int, sole: Sole, twist: Floats, xi: Floats, motion: Motion, player: PlayerStance, wish: Wish, body: BodyState
-) -> tuple[Floats, Floats]:
-    """Weights (6,) and acceleration (6,) of a sole in the air: below the capture point xi (2,), apart as the player's feet are."""
+    side: int, sole: Sole, twist: Floats, xi: Floats, motion: Motion, player: PlayerStance, wish: Wish, body: BodyState,
+    weight: Floats, goal: Floats,
+) -> None:  # fmt: skip
+    """Fill weight (6,) and goal (6,) of a sole in the air: below the capture point xi (2,), apart as the player's feet are."""
     apart = player.direction(motion.place[1 + side] - 0.5 * (motion.place[1] + motion.place[2]))[:2]
     under = xi + apart
     orientation, turn = body.orientation[FEET[side]], body.turn[FEET[side]]
-    return flight(sole.centre, orientation, turn, twist, under, body.com_velocity, one.about_z(wish.yaw[side]))
+    flight(sole.centre, orientation, turn, twist, under, body.com_velocity, one.about_z(wish.yaw[side]), weight, goal)

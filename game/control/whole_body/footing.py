@@ -204,8 +204,8 @@ class Footing:
 
 def _astray(sole: Sole, wish: Wish, side: int) -> float:
     """How far a planted foot is from where it should stand; beyond 1 it wants mending."""
-    gap = wish.place[side] - sole.centre[:2]
-    return max(math.hypot(gap[0], gap[1]) / 0.09, abs(math.remainder(wish.yaw[side] - sole.yaw, math.tau)) / 0.4)
+    ahead, left = wish.place[side, 0] - sole.centre[0], wish.place[side, 1] - sole.centre[1]
+    return max(math.hypot(ahead, left) / 0.09, abs(math.remainder(wish.yaw[side] - sole.yaw, math.tau)) / 0.4)
 
 
 def _saving_foot(soles: tuple[Sole, Sole], xi: Floats) -> int:

@@ -36,7 +36,7 @@ def leap_speed(window: MotionWindow, player: PlayerStance, body: BodyState) -> f
 
 def taking_off(window: MotionWindow, player: PlayerStance, body: BodyState, load_n: float) -> bool:
     """The COM rises on straight legs, or fast enough on unloaded feet: the floor has nothing more to give."""
-    speed = body.com_velocity[2]
+    speed = float(body.com_velocity[2])
     if speed < RISING_M_S:
         return False
     if not any(body.foot_contact):
@@ -59,7 +59,7 @@ class ComHeight:
 
     def acceleration(self, motion: Motion, window: MotionWindow, player: PlayerStance, footing: Footing, body: BodyState) -> float:
         """m/s^2 upwards that the COM is asked for."""
-        height, speed = player.place(motion.place[3])[2], body.com_velocity[2]
+        height, speed = float(motion.place[3, 2]) - player.floor_z, float(body.com_velocity[2])
         if footing.landed_s < LANDING_S:
             self._landing = (self._landing or footing.landed_s < 0.02) and height > body.com[2]
             if self._landing:

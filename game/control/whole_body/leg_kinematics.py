@@ -47,11 +47,10 @@ def _columns(out: Floats, first: int, arm: Floats, turn: Floats) -> None:
 
 
 @compiled
-def sole_motions(left: Floats, right: Floats, joint: Floats, turn: Floats, velocity: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """`sole_motion` of the left and of the right sole."""
-    left_twist, left_product = sole_motion(0, left, joint, turn, velocity)
-    right_twist, right_product = sole_motion(1, right, joint, turn, velocity)
-    return left_twist, left_product, right_twist, right_product
+def sole_motions(left: Floats, right: Floats, joint: Floats, turn: Floats, velocity: Floats, twist: Floats, product: Floats) -> None:
+    """Fill twist and product, (2, 6) each, with the `sole_motion` of the left and of the right sole."""
+    twist[0], product[0] = sole_motion(0, left, joint, turn, velocity)
+    twist[1], product[1] = sole_motion(1, right, joint, turn, velocity)
 
 
 @compiled

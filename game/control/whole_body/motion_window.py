@@ -47,6 +47,10 @@ class Motion(NamedTuple):
         return self.turn[_ROOT]
 
 
+MotionFields = tuple[Floats, ...]
+"""A `Motion` as compiled code takes it: numba takes a plain tuple much faster than one with names."""
+
+
 class MotionWindow:
     """Keeps the last frames; `add` a frame when it comes, ask for a `moment` whenever control needs one."""
 

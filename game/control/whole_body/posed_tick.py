@@ -40,17 +40,17 @@ class Body(NamedTuple):
 
 
 class Wanted(NamedTuple):
-    """What is asked of it: rotation (14, 4), spin and spin_rate (17, 3) of the target, upright (4,) of the pelvis; per sole its centre
-    (3,), weight (6,), goal (6,) and velocity-product acceleration (6,); pushes: which soles may; com_goal (3,) and com_weight (3,)."""
+    """What is asked of it: rotation (14, 4), spin and spin_rate (17, 3) of the target, upright (4,) of the pelvis; of each sole its centre
+    (3,), and, two rows, weight, goal and velocity-product acceleration (2, 6); pushes: which soles may; com_goal, com_weight (3,)."""
 
     rotation: Floats
     spin: Floats
     spin_rate: Floats
     upright: Floats
     centre: tuple[Floats, Floats]
-    weight: tuple[Floats, Floats]
-    goal: tuple[Floats, Floats]
-    product: tuple[Floats, Floats]
+    weight: Floats
+    goal: Floats
+    product: Floats
     pushes: tuple[bool, bool]
     com_goal: Floats
     com_weight: Floats

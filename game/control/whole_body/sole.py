@@ -37,26 +37,33 @@ def polygon(soles: tuple[Sole, Sole], left: bool, right: bool, margin_m: float, 
     return hull_of_soles(a.centre, a.yaw, b.centre, b.yaw, left, right, length, width)
 
 
-def sole_of(body: BodyState, side: int) -> Sole:
-    part = FEET[side]
+def soles_of(body: BodyState) -> tuple[Sole, Sole]:
+    """The left and the right one."""
     length, width, height = body.plan.foot_half
-    centre, yaw = _place(body.box_centre, body.turn, part, height)
-    return Sole(centre, yaw, body.joint[part], body.foot_contact[side], length, width)
+    centre = np.empty((2, 3))
+    left_yaw, right_yaw = _place(body.box_centre, body.turn, height, centre)
+    left_touches, right_touches = body.foot_contact
+    left, right = FEET
+    return (
+        Sole(centre[0], left_yaw, body.joint[left], left_touches, length, width),
+        Sole(centre[1], right_yaw, body.joint[right], right_touches, length, width),
+    )
 
 
 @compiled
-def _place(box_centre: Floats, turn: Floats, part: int, height: float) -> tuple[Floats, float]:
-    """Centre (3,) of the sole of a foot so high, and its yaw."""
-    centre = np.empty(3)
-    for axis in range(3):
-        centre[axis] = box_centre[part, axis] - height * turn[part, axis, 2]
-    return centre, math.atan2(turn[part, 1, 0], turn[part, 0, 0])
+def _place(box_centre: Floats, turn: Floats, height: float, centre: Floats) -> tuple[float, float]:
+    """Write the centres (2, 3) of the soles of feet so high; gives their yaws."""
+    for side in range(2):
+        part = FEET[side]
+        for axis in range(3):
+            centre[side, axis] = box_centre[part, axis] - height * turn[part, axis, 2]
+    left, right = FEET
+    return math.atan2(turn[left, 1, 0], turn[left, 0, 0]), math.atan2(turn[right, 1, 0], turn[right, 0, 0])
 
 
-def ahead_of_ankle(body: BodyState, yaw: float) -> Floats:
-    """(2,) from the ankle to the centre of the sole of a flat foot."""
-    offset = body.plan.centre_offset[FEET[0], 0]
-    return np.array([offset * math.cos(yaw), offset * math.sin(yaw)])
+def ahead_of_ankle(body: BodyState) -> float:
+    """m from the ankle to the centre of the sole of a flat foot, forward."""
+    return float(body.plan.centre_offset[FEET[0], 0])
 
 
 def leg_reach(body: BodyState, side: int) -> float:

@@ -11,7 +11,7 @@ from game.characters.strength import joint_strength
 from game.control.ankle_strategy import AnkleStrategy
 from game.control.gains import gains
 from game.control.joint_command import BodyState, JointCommand
-from game.control.whole_body.capture_point import capture_point, natural_frequency, pressure_target
+from game.control.whole_body.capture_point import capture_point, natural_frequency, players_capture_point, steer
 from game.control.whole_body.contact_wrenches import cone_rows
 from game.control.whole_body.foot_goals import flight_task, foot_task, wish_of
 from game.control.whole_body.footing import PRESSURE_MARGIN_M, Footing
@@ -21,8 +21,7 @@ from game.control.whole_body.leg_kinematics import sole_motions
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.player_stance import PlayerStance
 from game.control.whole_body.posed_tick import Body, Numbers, Wanted, pose_and_answer
-from game.control.whole_body.sole import Sole, sole_of
-from game.control.whole_body.support_polygon import nearest_inside
+from game.control.whole_body.sole import Sole, soles_of
 from game.control.whole_body.torque_limits import Problem, within_limits
 from game.target.kinematic_target import KinematicTarget
 from game.tunables import Settings
@@ -100,7 +99,7 @@ class WholeBody:
         self._player = PlayerStance(float(dynamics.plan.joint[FEET[0], 2]))
         self._last: KinematicTarget | None = None
         self._since_s = 0.0
-        self._goal: Floats | None = None
+        self._goal: tuple[float, float] | None = None
         self.com_target = dynamics.com.copy()
         self.fallen = False
         self._height = ComHeight()
@@ -119,7 +118,7 @@ class WholeBody:
             return self._limp(target, dynamics)
         delay = self._settings.number("whole_body.delay_s")
         motion = self._window.moment(self._window.newest_s + self._since_s - delay)
-        soles = (sole_of(dynamics, 0), sole_of(dynamics, 1))
+        soles = soles_of(dynamics)
         frequency = self._plan(motion, dynamics, soles, dt)
         return self._solve(motion, dynamics, soles, frequency, dt)
 
@@ -137,29 +136,31 @@ class WholeBody:
 
     def _plan(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole], dt: float) -> float:
         """What the feet do and where the pressure is to be; gives omega."""
-        floor = min(sole.centre[2] for sole in soles)
+        floor = min(float(soles[0].centre[2]), float(soles[1].centre[2]))
         frequency = natural_frequency(body.gravity, float(body.com[2]) - floor)
         xi = capture_point(body.com, body.com_velocity, frequency)
         self._wish = wish_of(self._player, motion, body)
-        calm = math.hypot(*(xi - body.com[:2])) < CALM_M
+        calm = math.hypot(xi[0] - body.com[0], xi[1] - body.com[1]) < CALM_M
         leaving = taking_off(self._window, self._player, body, float(self.wrench[2::6].sum()))
         self.footing.update(soles, xi, frequency, self._wish, calm, leaving, dt)
         goal = self._capture_goal(frequency, dt)
-        wanted = nearest_inside(self.footing.goal_hull(soles, GOAL_MARGIN_M, GOAL_ENDS_M), goal)
-        self.com_target[:2] = wanted
+        goal_hull = self.footing.goal_hull(soles, GOAL_MARGIN_M, GOAL_ENDS_M)
         hull = self.footing.hull(soles, PRESSURE_MARGIN_M)
-        self.xi = xi
-        self.pressure = pressure_target(xi, wanted, frequency, self._settings.number("whole_body.capture_rate"), hull)
-        self.cos = np.array([self.pressure[0], self.pressure[1], floor])
+        x, y, *pressure = steer(*goal, goal_hull, xi, frequency, self._settings.number("whole_body.capture_rate"), hull)
+        self.com_target[:2] = x, y
+        self.xi, self.pressure = xi, np.array(pressure)
+        self.cos = np.array([*pressure, floor])
         return frequency
 
-    def _capture_goal(self, frequency: float, dt: float) -> Floats:
-        """(2,) the player's own capture point in the character's world, low-passed."""
-        player = self._player
-        seen = player.place(self._window.newest_places[3])[:2] + player.direction(self._window.com_velocity())[:2] / frequency
-        share = min(1.0, dt / GOAL_TIME_S)
-        self._goal = seen if self._goal is None else self._goal + share * (seen - self._goal)
-        return self._goal
+    def _capture_goal(self, frequency: float, dt: float) -> tuple[float, float]:
+        """x, y of the player's own capture point in the character's world, low-passed."""
+        window = self._window
+        x, y = players_capture_point(window.newest_places[3], window.com_velocity(), self._player.overlay, frequency)
+        if self._goal is not None:
+            share = min(1.0, dt / GOAL_TIME_S)
+            x, y = self._goal[0] + share * (x - self._goal[0]), self._goal[1] + share * (y - self._goal[1])
+        self._goal = x, y
+        return x, y
 
     def _solve(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole], frequency: float, dt: float) -> JointCommand:
         mass, bias = body.equations
@@ -167,11 +168,9 @@ class WholeBody:
         feet = self.footing.feet
         pushes = (feet[0].stands and soles[0].touches, feet[1].stands and soles[1].touches)
         standing = _STANDING[pushes]
-        left_twist, left_product, right_twist, right_product = sole_motions(
-            soles[0].centre, soles[1].centre, body.joint, body.turn, velocity
-        )
-        left = self._sole_task(0, soles[0], left_twist, motion, body)
-        right = self._sole_task(1, soles[1], right_twist, motion, body)
+        twist, product, weight, goal = np.empty((4, 2, 6))
+        sole_motions(soles[0].centre, soles[1].centre, body.joint, body.turn, velocity, twist, product)
+        self._foot_tasks(soles, twist, motion, body, weight, goal)
         com_goal = np.zeros(3)
         if standing:
             com_goal[2] = self._height.acceleration(motion, self._window, self._player, self.footing, body)
@@ -190,8 +189,7 @@ class WholeBody:
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
             Wanted(
                 motion.turn, motion.spin, motion.spin_rate, self._player.orientation(motion.root),
-                (soles[0].centre, soles[1].centre), (left[0], right[0]), (left[1], right[1]),
-                (left_product, right_product), pushes, com_goal, _COM_WEIGHT,
+                (soles[0].centre, soles[1].centre), weight, goal, product, pushes, com_goal, _COM_WEIGHT,
             ),
             numbers, number("whole_body.strength") * self._strength, _JOINT_WEIGHT[standing],
             _PRICE[: 6 * len(standing)], self._cone(soles[0], standing),
@@ -205,15 +203,18 @@ class WholeBody:
             )  # fmt: skip
             limits = PLANNED * posed.low, PLANNED * posed.high
             self.torque, acceleration, self.wrench = within_limits(problem, *limits, posed.weight, posed.inertia)
-        self.com_target[2] = self._player.place(motion.place[3])[2]
+        self.com_target[2] = motion.place[3, 2] - self._player.floor_z
         damping, reference = hold(posed.firmness, self.torque, posed.low, posed.high, velocity, acceleration, dt)
         return JointCommand(rotation, reference, _NOTHING, damping, self.torque)
 
-    def _sole_task(self, side: int, sole: Sole, twist: Floats, motion: Motion, body: BodyState) -> tuple[Floats, Floats]:
-        """Weights (6,) and acceleration (6,) of a sole."""
-        if self.footing.flying:
-            return flight_task(side, sole, twist, self.xi, motion, self._player, self._wish, body)
-        return foot_task(side, sole, self.footing.feet[side], twist, motion, self._player, self._wish, body)
+    def _foot_tasks(self, soles: tuple[Sole, Sole], twist: Floats, motion: Motion, body: BodyState, weight: Floats, goal: Floats) -> None:
+        """Fill weight and goal, (2, 6) each, of both soles, which move with `twist` (2, 6)."""
+        player, wish = self._player, self._wish
+        for side, foot in enumerate(self.footing.feet):
+            if self.footing.flying:
+                flight_task(side, soles[side], twist[side], self.xi, motion, player, wish, body, weight[side], goal[side])
+            else:
+                foot_task(side, soles[side], foot, twist[side], motion, player, wish, body, weight[side], goal[side])
 
     def _cone(self, sole: Sole, standing: tuple[int, ...]) -> Floats:
         friction = 0.9 * min(self._settings.number("physics.friction"), 1.0)

@@ -32,7 +32,8 @@ def test_feet_that_legs_can_hold_are_wanted_as_they_are():
     seen = wish(feet_yaw=(0.3, -0.4), ankles=ankles)
     assert seen.yaw == pytest.approx((0.3, -0.4))
     for side in range(2):
-        np.testing.assert_allclose(seen.place[side], ankles[side] + ahead_of_ankle(BODY, seen.yaw[side]), atol=1e-12)
+        ahead = ahead_of_ankle(BODY) * np.array([math.cos(seen.yaw[side]), math.sin(seen.yaw[side])])
+        np.testing.assert_allclose(seen.place[side], ankles[side] + ahead, atol=1e-12)
 
 
 @pytest.mark.parametrize("heading", [0.0, 2.5, -3.0])

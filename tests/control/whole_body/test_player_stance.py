@@ -100,7 +100,7 @@ def test_an_ankle_of_the_motion_is_placed_like_any_point():
     window.add(target, 0.1)
     motion = window.moment(0.0)
     for side in range(2):
-        np.testing.assert_allclose(stance.ankle(motion, side), stance.place(target.pose.joint[FEET[side]]), atol=1e-12)
+        np.testing.assert_allclose(stance.place(motion.place[1 + side]), stance.place(target.pose.joint[FEET[side]]), atol=1e-12)
 
 
 def test_what_is_handed_in_is_left_as_it_was():
