@@ -25,11 +25,13 @@ LONGEST_S: Final = 86400.0
 REST_S: Final = 0.02
 TOLD_EVERY_S: Final = 1.0
 TICKS_ASTRAY_S: Final = 0.5
+PATIENCE_S: Final = 5.0
+"""A Kinect that is there shows its first picture within this, however busy the computer is."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("out", type=Path, metavar="OUT", help="a new or an empty folder")
-    parser.add_argument("--seconds", type=float, metavar="S", help="stop so long after the start (default: at Ctrl-C)")
+    parser.add_argument("--seconds", type=float, metavar="S", help="stop so long after the first picture (default: at Ctrl-C)")
     parser.add_argument(
         "--simulate", metavar="NAME", help="record a simulated Kinect, such as room; `kinect doctor --simulate list` names all"
     )
@@ -54,12 +56,17 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def record(sensor: KinectSensor, recorder: DepthRecorder, seconds: float, ended: Callable[[], bool]) -> None:
-    """Write every picture that comes until the time is over or somebody ends it; a pulled plug is a pause. Closes both."""
+    """Write every picture that comes until the time is over or somebody ends it; a pulled plug is a pause. Closes both.
+
+    The time begins with the first picture; without one it ends after `seconds` too, but not before PATIENCE_S.
+    """
     stream, clock_of = SensorDepth(sensor), SteadyTicks()
     began, told_s, told, frames = time.monotonic(), 0.0, "", 0
     try:
-        while (passed := time.monotonic() - began) < seconds and not ended():
+        while (passed := time.monotonic() - began) < (seconds if frames else max(seconds, PATIENCE_S)) and not ended():
             for frame in stream.poll(0.0):
+                if not frames:
+                    began = time.monotonic()
                 recorder.write(clock_of.steadied(frame))
                 frames += 1
             if stream.status != told or (sys.stderr.isatty() and passed - told_s >= TOLD_EVERY_S):
