@@ -95,6 +95,8 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("gate.pelvis", True, "the pelvis is as high as ankles and leg lengths say, where the sensor lets it sink (a bow) or rise"),
         Tunable("gate.leg_slack", 0.04, "share of a leg's length that may be missing before the pelvis is raised", 0.0, 0.3),
         Tunable("gate.tilt_rad_s", 4.0, "fastest tilt of pelvis and trunk; a deep bow makes the sensor flip between poses", 0.5, 50.0, "rad/s"),
+        Tunable("gate.turn_rad_s", 5.0, "fastest turn of pelvis and shoulders; seen from the side their lines jump", 0.5, 50.0, "rad/s"),
+        Tunable("gate.twist_rad", 0.6, "largest turn of the shoulders against the pelvis; where more is seen one of the two is wrong", 0.2, 3.2, "rad"),
         # kinematic target
         Tunable("ik.method", "dls", "inverse of the Jacobian: pseudoinverse (Eq. 3.2), dls (Eq. 3.3), sdls (Buss & Kim 2005), none", choices=("none", "pseudoinverse", "dls", "sdls")),
         Tunable("ik.damping", 0.4, "lambda of damped least squares, Eq. 3.3", 0.0, 1.2),

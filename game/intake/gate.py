@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.intake.gate_buffer import ContactBuffer, SensedFrame
 from game.intake.gate_contacts import ContactFinder
+from game.intake.gate_heading import BodyHeading
 from game.intake.gate_legs import ANKLES, FEET, HIPS, KNEES
 from game.intake.gate_lock import FootLock
 from game.intake.gate_pelvis import PelvisHeight, needed_rise
@@ -31,6 +32,7 @@ class InputGate:
         self._locks = (FootLock(0), FootLock(1))
         self._pelvis = PelvisHeight()
         self._trunk = TrunkTilt()
+        self._heading = BodyHeading()
         self._last_s: float | None = None
 
     def apply(self, time_s: float, joints: Floats, raw: Floats) -> WorldFrame | None:
@@ -60,6 +62,7 @@ class InputGate:
         self._pelvis.apply(out, dt, sum(needs) / max(1, len(needs)), max(mosts, default=0.0))
         if dt > 0.0:
             self._trunk.apply(out, self._settings.number("gate.tilt_rad_s") * dt)
+        self._heading.apply(out, dt, self._finder.lengths.leg_m, self._settings.number("gate.turn_rad_s"), self._settings.number("gate.twist_rad"))
         for side, foot in enumerate(feet):
             out[ANKLES[side]], out[FEET[side]] = foot
             knee, hip = KNEES[side], HIPS[side]

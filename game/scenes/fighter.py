@@ -81,7 +81,7 @@ class Fighter:
         if not seen:
             raise NoBodyError(f"{self.source.status} No frame shows a whole body{': ' + intake.fault if intake.fault else ''}.")
         times = np.array([frame.time_s for frame in seen])
-        joints = np.array([frame.raw for frame in seen])
+        joints = np.array([frame.joints for frame in seen])
         return (seen[0] if finite else seen[-1]), calibrate(self.plan, joints[quietest_stretch(times, joints)])
 
     def hang(self, world: World) -> None:

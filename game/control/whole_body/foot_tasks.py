@@ -20,7 +20,7 @@ CATCH_UP_S = 0.3
 LEAST_LIFT_M, PRESS_M = 0.02, 0.01
 """A foot that the player has up is this far off the floor at least; one that he has down is aimed this far below it."""
 
-LARGEST_SWING = 80.0
+LARGEST_SWING = 60.0
 """m/s^2 a swinging foot may be asked for."""
 
 

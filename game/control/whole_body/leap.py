@@ -6,13 +6,16 @@ from game.control.joint_command import BodyState
 from game.control.whole_body.footing import Footing
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.player_stance import PlayerStance
-from game.control.whole_body.sole import leg_reach
+from game.control.whole_body.sole import leg_reach, rise_left
 
 LEAST_LEAP_M = 0.06
 """A player who rises with a swing that would carry him this far above standing is about to jump."""
 
 HIGHEST_LEAP_M = 0.4
 """Nobody is followed higher than that."""
+
+SEEN_SHORT = 1.2
+"""A smoothed push-off ends before it is seen to: the swing carries farther than its parabola."""
 
 STRAIGHT = 0.98
 """Reach of a leg that has nothing more to push with."""
@@ -22,15 +25,20 @@ LANDING_S = 0.6
 LOWEST, HIGHEST = -8.0, 20.0
 """m/s^2 the COM may be asked for."""
 
+BRAKE, BRAKE_RATE = 5.0, 15.0
+"""m/s^2 that the hips, where they rise and nobody leaps, can be stopped with before the legs are straight, and 1/s of their excess speed."""
+
 
 def leap_speed(window: MotionWindow, player: PlayerStance, body: BodyState) -> float:
     """m/s upwards that would carry the COM as high as the player's is going, by the newest frames; 0 where nobody leaps."""
-    height, speed = window.newest_rise
-    rise = max(speed, 0.0)
-    apex = height - player.floor_z + rise * rise / (2.0 * body.gravity)
+    seen_m, speed = window.newest_rise
+    rise, height = max(speed, 0.0), seen_m - player.floor_z
+    swing = SEEN_SHORT * rise * rise / (2.0 * body.gravity)
     standing = body.plan.idle_com_height
-    if not player.flight and apex < standing + LEAST_LEAP_M:
+    if not player.flight and height + swing < standing + LEAST_LEAP_M:
         return 0.0
+    # legs that are still bent go on pushing: the swing counts from where they are straight
+    apex = max(height, standing) + swing
     return math.sqrt(2.0 * body.gravity * max(min(apex, standing + HIGHEST_LEAP_M) - body.com[2], 0.0))
 
 
@@ -66,6 +74,13 @@ class ComHeight:
                 # not after the player up into the air again: soften the landing until he comes down too
                 return min(max(-12.0 * speed, -5.0), 9.0)
         wanted = 100.0 * (height - body.com[2]) + 20.0 * (motion.velocity[3, 2] - speed) + motion.acceleration[3, 2]
-        if motion.velocity[3, 2] > 0.3:
-            wanted = max(wanted, 30.0 * (leap_speed(window, player, body) - speed))
+        leap = leap_speed(window, player, body) if motion.velocity[3, 2] > 0.3 else 0.0
+        if leap > 0.0:
+            wanted = max(wanted, 30.0 * (leap - speed))
+        else:
+            # legs that run out of length while the body still rises would throw it off the floor
+            room = min((rise_left(body, side) for side in range(2) if footing.feet[side].stands), default=0.0)
+            excess = float(body.velocity[2]) - math.sqrt(2.0 * BRAKE * max(room, 0.0))
+            if excess > 0.0:
+                wanted = min(wanted, -BRAKE_RATE * excess)
         return min(max(wanted, LOWEST), HIGHEST)

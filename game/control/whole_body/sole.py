@@ -73,3 +73,12 @@ def leg_reach(body: BodyState, side: int) -> float:
     length = math.sqrt(bones[shank] @ bones[shank]) + math.sqrt(bones[foot] @ bones[foot])
     way = body.joint[thigh] - body.joint[foot]
     return math.sqrt(way @ way) / length
+
+
+def rise_left(body: BodyState, side: int) -> float:
+    """m that the hip can still rise over the ankle where that stands, until the leg is as good as straight; negative where it is."""
+    thigh, shank, foot = LEG_PARTS[side]
+    bones = body.plan.joint_offset
+    length = 0.995 * (math.sqrt(bones[shank] @ bones[shank]) + math.sqrt(bones[foot] @ bones[foot]))
+    x, y, z = (body.joint[thigh] - body.joint[foot]).tolist()
+    return math.sqrt(max(length * length - x * x - y * y, 0.0)) - z
