@@ -171,6 +171,8 @@ class Settings:
 
     def __init__(self, values: Mapping[str, object] | None = None) -> None:
         self._values: dict[str, Value] = {name: t.default for name, t in TUNABLES.items()}
+        # the same once more as they are asked for hundreds of times a second
+        self._numbers = {name: float(value) for name, value in self._values.items() if not isinstance(value, str)}
         self.version = 0
         for name, value in (values or {}).items():
             self.set(name, value)
@@ -180,14 +182,15 @@ class Settings:
         tunable = TUNABLES.get(name)
         if tunable is None:
             raise TunableError(f"there is no tunable {name!r}; valid names: {', '.join(TUNABLES)}.")
-        self._values[name] = tunable.parse(value)
+        parsed = tunable.parse(value)
+        self._values[name] = parsed
+        if not isinstance(parsed, str):
+            self._numbers[name] = float(parsed)
         self.version += 1
 
     def number(self, name: str) -> float:
         """The value of a numeric tunable."""
-        value = self._values[name]
-        assert not isinstance(value, str)
-        return float(value)
+        return self._numbers[name]
 
     def switch(self, name: str) -> bool:
         """The value of an on/off tunable."""

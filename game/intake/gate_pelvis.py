@@ -5,6 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiled import compiled
 from game.intake.gate_legs import HIPS, Leg
 from kinect.body import Joint
 
@@ -22,8 +23,8 @@ STRETCH_SHARE = 0.02
 SETTLING_S = 0.08
 """How fast the correction follows what is needed."""
 
-_PELVIS = [Joint.HIP_CENTER, Joint.SPINE, *HIPS]
-_UPPER = [j for j in Joint if j < Joint.HIP_LEFT] + [Joint.HIP_LEFT, Joint.HIP_RIGHT]
+_PELVIS = np.array([Joint.HIP_CENTER, Joint.SPINE, *HIPS])
+_UPPER = np.array([j for j in Joint if j < Joint.HIP_LEFT] + [Joint.HIP_LEFT, Joint.HIP_RIGHT])
 
 
 def needed_rise(leg: Leg, ankle_rise_m: float, leg_m: float, stoop_m: float, slack_share: float) -> float:
@@ -56,4 +57,11 @@ class PelvisHeight:
         self.rise_m += (1.0 - math.exp(-dt / SETTLING_S)) * (needed_m - self.rise_m)
         self.rise_m = min(self.rise_m, max(0.0, most_m))
         if self.rise_m != 0.0:
-            joints[_PELVIS if self.rise_m > 0.0 else _UPPER, 2] += self.rise_m
+            _raise(joints, _PELVIS if self.rise_m > 0.0 else _UPPER, self.rise_m)
+
+
+@compiled
+def _raise(joints: Floats, which: NDArray[np.int64], rise_m: float) -> None:
+    """Some of the joints (20, 3), in place."""
+    for joint in which:
+        joints[joint, 2] += rise_m
