@@ -96,7 +96,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("gate.leg_slack", 0.04, "share of a leg's length that may be missing before the pelvis is raised", 0.0, 0.3),
         Tunable("gate.tilt_rad_s", 4.0, "fastest tilt of pelvis and trunk; a deep bow makes the sensor flip between poses", 0.5, 50.0, "rad/s"),
         Tunable("gate.turn_rad_s", 5.0, "fastest turn of pelvis and shoulders; seen from the side their lines jump", 0.5, 50.0, "rad/s"),
-        Tunable("gate.twist_rad", 0.6, "largest turn of the shoulders against the pelvis; where more is seen one of the two is wrong", 0.2, 3.2, "rad"),
+        Tunable("gate.twist_rad", 0.6, "largest turn of the shoulders against the pelvis; where more is seen one of the two is wrong", 0.1, 3.2, "rad"),
         # kinematic target
         Tunable("ik.method", "dls", "inverse of the Jacobian: pseudoinverse (Eq. 3.2), dls (Eq. 3.3), sdls (Buss & Kim 2005), none", choices=("none", "pseudoinverse", "dls", "sdls")),
         Tunable("ik.damping", 0.4, "lambda of damped least squares, Eq. 3.3", 0.0, 1.2),
@@ -173,6 +173,8 @@ class Settings:
 
     def __init__(self, values: Mapping[str, object] | None = None) -> None:
         self._values: dict[str, Value] = {name: t.default for name, t in TUNABLES.items()}
+        # the same once more as they are asked for hundreds of times a second
+        self._numbers = {name: float(value) for name, value in self._values.items() if not isinstance(value, str)}
         self.version = 0
         for name, value in (values or {}).items():
             self.set(name, value)
@@ -182,14 +184,15 @@ class Settings:
         tunable = TUNABLES.get(name)
         if tunable is None:
             raise TunableError(f"there is no tunable {name!r}; valid names: {', '.join(TUNABLES)}.")
-        self._values[name] = tunable.parse(value)
+        parsed = tunable.parse(value)
+        self._values[name] = parsed
+        if not isinstance(parsed, str):
+            self._numbers[name] = float(parsed)
         self.version += 1
 
     def number(self, name: str) -> float:
         """The value of a numeric tunable."""
-        value = self._values[name]
-        assert not isinstance(value, str)
-        return float(value)
+        return self._numbers[name]
 
     def switch(self, name: str) -> bool:
         """The value of an on/off tunable."""

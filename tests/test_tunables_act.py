@@ -68,6 +68,8 @@ CONTEXTS: Mapping[str, Context] = {
     "gate.push_off_m_s": seen_by_a_kinect("jump", 2.5, ("gate.push_off_m_s", 1.1)),
     "gate.flight_limit_s": seen_by_a_kinect("jump", 2.5, ("gate.flight_limit_s", 0.13)),
     "gate.tilt_rad_s": seen_by_a_kinect("bowing", 2.2, ("gate.tilt_rad_s", 1.0)),
+    "gate.turn_rad_s": seen_by_a_kinect("boxing", 2.2, ("gate.turn_rad_s", 0.6)),
+    "gate.twist_rad": seen_by_a_kinect("boxing", 2.7, ("gate.twist_rad", 0.15)),
     # a body of ordinary strength boxes without using all of it
     "whole_body.strength": Context(others=(("whole_body.strength", 0.5),)),
     "physics.self_collision": Context(spec="clip:{clip}", others=(("intake.smoothing", 0.0), *BY_ANKLES)),

@@ -9,10 +9,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiled import compiled
 from game.intake.gate_buffer import ContactBuffer, SensedFrame
 from game.intake.gate_contacts import ContactFinder
 from game.intake.gate_heading import BodyHeading
-from game.intake.gate_legs import ANKLES, FEET, HIPS, KNEES
+from game.intake.gate_legs import ANKLES, FEET, HIPS, KNEES, feet_of
 from game.intake.gate_lock import FootLock
 from game.intake.gate_pelvis import PelvisHeight, needed_rise
 from game.intake.gate_trunk import TrunkTilt
@@ -20,6 +21,9 @@ from game.intake.world_frame import WorldFrame
 from game.tunables import Settings
 
 Floats = NDArray[np.float64]
+
+_HIP, _KNEE, _ANKLE, _TOES = (np.array(of) for of in (HIPS, KNEES, ANKLES, FEET))
+_FEET = np.array((ANKLES, FEET)).T
 
 
 class InputGate:
@@ -48,42 +52,47 @@ class InputGate:
         return WorldFrame(frame.time_s, self._corrected(frame, dt), frame.raw, frame.contacts, time_s - frame.time_s)
 
     def _corrected(self, frame: SensedFrame, dt: float) -> Floats:
-        out = frame.joints.copy()
-        feet = self._placed_feet(frame, dt)
+        out, feet = frame.joints.copy(), np.empty((2, 2, 3))
+        self._place_feet(frame, dt, feet)
         needs, mosts = [], []
-        for side, planted in enumerate(frame.contacts.planted):
-            if planted:
-                rise = float(feet[side][0, 2] - frame.joints[ANKLES[side], 2])
-                leg, lengths = frame.legs[side], self._finder.lengths
-                needs.append(needed_rise(leg, rise, lengths.leg_m, lengths.stoop_m, self._settings.number("gate.leg_slack")))
-                mosts.append(leg.rise_m + rise)
-        if not self._settings.switch("gate.pelvis"):
-            needs, mosts = [], []
+        if self._settings.switch("gate.pelvis"):
+            slack, lengths = self._settings.number("gate.leg_slack"), self._finder.lengths
+            for side, planted in enumerate(frame.contacts.planted):
+                if planted:
+                    rise, leg = float(feet[side, 0, 2] - frame.joints[_ANKLE[side], 2]), frame.legs[side]
+                    needs.append(needed_rise(leg, rise, lengths.leg_m, lengths.stoop_m, slack))
+                    mosts.append(leg.rise_m + rise)
         self._pelvis.apply(out, dt, sum(needs) / max(1, len(needs)), max(mosts, default=0.0))
         if dt > 0.0:
             self._trunk.apply(out, self._settings.number("gate.tilt_rad_s") * dt)
-        self._heading.apply(out, dt, self._finder.lengths.leg_m, self._settings.number("gate.turn_rad_s"), self._settings.number("gate.twist_rad"))
-        for side, foot in enumerate(feet):
-            out[ANKLES[side]], out[FEET[side]] = foot
-            knee, hip = KNEES[side], HIPS[side]
-            out[knee] += 0.5 * (out[hip] - frame.joints[hip] + foot[0] - frame.joints[ANKLES[side]])
+        number = self._settings.number
+        self._heading.apply(out, dt, self._finder.lengths.leg_m, number("gate.turn_rad_s"), number("gate.twist_rad"))
+        _put_feet(out, frame.joints, feet)
         return out
 
-    def _placed_feet(self, frame: SensedFrame, dt: float) -> list[Floats]:
-        """(2, 3) ankle and toes of each foot, left first."""
-        number = self._settings.number
+    def _place_feet(self, frame: SensedFrame, dt: float, feet: Floats) -> None:
+        """Fill `feet` (2, 2, 3): ankle and toes of each foot, left first."""
+        number, joints = self._settings.number, frame.joints
         if not self._settings.switch("gate.lock"):
-            return [frame.joints[[ANKLES[side], FEET[side]]] for side in (0, 1)]
-        placed = []
-        fade_s = number("gate.fade_time_s")
+            feet[:] = joints[_FEET]
+            return
+        fade_s, up_m, seen = number("gate.fade_time_s"), number("gate.up_m"), feet_of(joints)
         for side, lock in enumerate(self._locks):
-            resting, joints = self._finder.feet[side], frame.joints
             if not frame.contacts.planted[side]:
-                placed.append(lock.lifted(joints, dt, fade_s))
+                lock.lifted(joints, dt, fade_s, feet[side])
                 continue
-            lift, heel = resting.raised(joints)
-            seen = frame.contacts.known and lift < number("gate.up_m")
-            drift_s = number("gate.plant_time_s") if seen else math.inf
-            heel_m = heel if seen else 0.0
-            placed.append(lock.planted(joints, dt, self._finder.rest_m, heel_m=heel_m, drift_s=drift_s, fade_s=fade_s))
-        return placed
+            lift, heel = self._finder.feet[side].raised(seen[side])
+            shown = frame.contacts.known and lift < up_m
+            drift_s = number("gate.plant_time_s") if shown else math.inf
+            heel_m = heel if shown else 0.0
+            lock.planted(joints, dt, self._finder.rest_m, feet[side], heel_m=heel_m, drift_s=drift_s, fade_s=fade_s)
+
+
+@compiled
+def _put_feet(out: Floats, seen: Floats, feet: Floats) -> None:
+    """Put ankles and toes of `feet` (2, 2, 3) into the joints `out` (20, 3); a knee goes half as far as hip and ankle from where `seen`."""
+    for side in range(2):
+        ankle, knee, hip = _ANKLE[side], _KNEE[side], _HIP[side]
+        for axis in range(3):
+            out[ankle, axis], out[_TOES[side], axis] = feet[side, 0, axis], feet[side, 1, axis]
+            out[knee, axis] += 0.5 * (out[hip, axis] - seen[hip, axis] + feet[side, 0, axis] - seen[ankle, axis])

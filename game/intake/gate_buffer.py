@@ -42,7 +42,7 @@ class ContactBuffer:
             return None
         contacts = self._confirmed(ready.contacts, [later.contacts for later in self._waiting])
         self._given = contacts
-        return replace(ready, contacts=contacts)
+        return ready if contacts is ready.contacts else replace(ready, contacts=contacts)
 
     def _confirmed(self, now: FootContacts, later: list[FootContacts]) -> FootContacts:
         """A flag changes only where every waiting frame has the new value."""
@@ -51,7 +51,10 @@ class ContactBuffer:
             return now
         left = _held(before.left_planted, now.left_planted, [c.left_planted for c in later])
         right = _held(before.right_planted, now.right_planted, [c.right_planted for c in later])
-        return replace(now, left_planted=left, right_planted=right, flight=not left and not right)
+        flight = not left and not right
+        if (left, right, flight) == (now.left_planted, now.right_planted, now.flight):
+            return now
+        return replace(now, left_planted=left, right_planted=right, flight=flight)
 
 
 def _held(before: bool, now: bool, later: list[bool]) -> bool:

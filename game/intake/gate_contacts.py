@@ -3,9 +3,11 @@
 from game.intake.foot_contacts import FootContacts
 from game.intake.gate_floor import RestingFoot
 from game.intake.gate_jump import Feet, JumpGate
-from game.intake.gate_legs import ANKLES, Floats, Leg, LegLengths
+from game.intake.gate_legs import Floats, Leg, LegLengths, LegSight, feet_of, legs_of
 from game.tunables import Settings
 from kinect.body import Joint
+
+_ROOT = int(Joint.HIP_CENTER)
 
 HIDDEN_LONGER_S = 0.15
 """Legs that come into sight again are believed only after so long."""
@@ -16,7 +18,7 @@ class ContactFinder:
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
-        self.feet = (RestingFoot(0), RestingFoot(1))
+        self.feet = (RestingFoot(), RestingFoot())
         self.lengths = LegLengths()
         self._jump = JumpGate()
         self._time_s: float | None = None
@@ -31,22 +33,24 @@ class ContactFinder:
     def step(self, time_s: float, joints: Floats, smoothed: Floats) -> tuple[FootContacts, tuple[Leg, Leg]]:
         """Contacts of `joints`, which know sooner, and the legs of the same joints `smoothed`, which leap less."""
         number = self._settings.number
+        seen = feet_of(joints)
         if self._time_s is None:
-            lowest = float(joints[list(ANKLES), 2].min())
+            lowest = min(seen[0][2], seen[1][2])
             for side, foot in enumerate(self.feet):
-                foot.start(joints, lowest)
+                foot.start(seen[side], lowest)
                 self._lifted[side] = not foot.down
             self._time_s = time_s
         dt, self._time_s = time_s - self._time_s, time_s
-        senses = [foot.sense(joints, dt) for foot in self.feet]
-        legs = self.lengths.observe(smoothed, dt, standing=not any(self._lifted))
-        hidden = self.lengths.hidden(legs) or any(sense.sunk for sense in senses)
+        senses = self.feet[0].sense(seen[0], dt), self.feet[1].sense(seen[1], dt)
+        legs = self.lengths.observe(LegSight(*legs_of(smoothed)), dt, standing=not any(self._lifted))
+        hidden = self.lengths.hidden(legs) or senses[0].sunk or senses[1].sunk
         self._seen_s = 0.0 if hidden else self._seen_s + dt
         known = self._seen_s >= HIDDEN_LONGER_S
         if known:
+            up_m, down_m, speed_m_s = number("gate.up_m"), number("gate.down_m"), number("gate.foot_speed_m_s")
             for foot, sense in zip(self.feet, senses, strict=True):
-                foot.decide(sense, dt, up_m=number("gate.up_m"), down_m=number("gate.down_m"), speed_m_s=number("gate.foot_speed_m_s"))
-        pelvis = float(joints[Joint.HIP_CENTER, 2]) - self.rest_m
+                foot.decide(sense, dt, up_m=up_m, down_m=down_m, speed_m_s=speed_m_s)
+        pelvis = float(joints[_ROOT, 2]) - self.rest_m
         up = (not self.feet[0].down, not self.feet[1].down)
         flight = self._jump.step(
             time_s, pelvis, Feet(up, known), push_off_m_s=number("gate.push_off_m_s"), limit_s=number("gate.flight_limit_s")
@@ -55,9 +59,9 @@ class ContactFinder:
         self._bear(up, flight or not gated)
         if known:
             share = min(1.0, dt / max(number("gate.floor_time_s"), 1e-3))
-            for foot, lifted in zip(self.feet, self._lifted, strict=True):
+            for foot, sight, lifted in zip(self.feet, seen, self._lifted, strict=True):
                 if not lifted and foot.down:
-                    foot.settle(joints, share)
+                    foot.settle(sight, share)
         planted = (not self._lifted[0], not self._lifted[1])
         lifts = [0.0 if on_floor else max(0.0, sense.lift_m) for on_floor, sense in zip(planted, senses, strict=True)]
         return FootContacts(planted[0], planted[1], not any(planted), lifts[0], lifts[1], known), legs

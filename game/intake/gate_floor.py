@@ -1,14 +1,9 @@
 """Foot contact by height and speed, each foot over its own resting height, with hysteresis."""
 
 import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from game.intake.gate_legs import ANKLES, FEET
-
-Floats = NDArray[np.float64]
+from game.intake.gate_legs import FootSight
 
 SUNK_M = 0.07
 """An ankle that sinks this far below its rest has gone through the floor: it was not seen."""
@@ -27,8 +22,7 @@ STILL_M_S = 0.05
 """A foot that hangs this long and this still less than twice the lifting height above its rest stands there."""
 
 
-@dataclass(frozen=True)
-class FootSense:
+class FootSense(NamedTuple):
     """One foot in one frame, over its rest: ankle_m of the ankle, lift_m of the whole foot (the lower of ankle and toes).
 
     speed_m_s: of the ankle; away_m: how far it has gone from where it stood, over the floor.
@@ -47,10 +41,9 @@ class FootSense:
 class RestingFoot:
     """Resting heights of one foot's ankle and toes, learnt while it stands, and whether it is down."""
 
-    def __init__(self, side: int) -> None:
-        self._ankle, self._toes = ANKLES[side], FEET[side]
+    def __init__(self) -> None:
         self._rest = [math.nan, math.nan]
-        self._last: Floats | None = None
+        self._last: tuple[float, float, float] | None = None
         self._place: tuple[float, float] | None = None
         self._still_s = 0.0
         self.down = True
@@ -60,26 +53,25 @@ class RestingFoot:
         """Resting height of the ankle, world z."""
         return self._rest[0]
 
-    def start(self, joints: Floats, lowest_m: float) -> None:
+    def start(self, foot: FootSight, lowest_m: float) -> None:
         """Begin with the first frame; `lowest_m`: height of the lower of the two ankles."""
-        ankle = float(joints[self._ankle, 2])
+        ankle, toes = foot[2:]
         raised = max(0.0, ankle - lowest_m) if ankle - lowest_m > EVEN_M else 0.0
-        self._rest = [ankle - raised, float(joints[self._toes, 2]) - raised]
+        self._rest = [ankle - raised, toes - raised]
         self.down = raised == 0.0
 
-    def sense(self, joints: Floats, dt: float) -> FootSense:
-        """The foot in joints (20, 3), `dt` seconds after the last frame."""
-        ankle = joints[self._ankle]
+    def sense(self, foot: FootSight, dt: float) -> FootSense:
+        """The foot as it is seen `dt` seconds after the last frame."""
+        ankle, here = foot[:3], foot[:2]
         moved = 0.0 if self._last is None or dt <= 0.0 else math.dist(ankle, self._last) / dt
-        self._last = ankle.copy()
-        lift, heel = self.raised(joints)
-        here = (float(ankle[0]), float(ankle[1]))
+        self._last = ankle
+        lift, heel = self.raised(foot)
         self._place = self._place or here
         return FootSense(lift + heel, lift, moved, math.dist(here, self._place))
 
-    def raised(self, joints: Floats) -> tuple[float, float]:
+    def raised(self, foot: FootSight) -> tuple[float, float]:
         """How far the whole foot is over its rest, and how much farther its ankle is: the heel, metres."""
-        ankle, toes = float(joints[self._ankle, 2]) - self._rest[0], float(joints[self._toes, 2]) - self._rest[1]
+        ankle, toes = foot[2] - self._rest[0], foot[3] - self._rest[1]
         # toes in the floor are the sensor's fault, and the ankle alone must tell
         lift = ankle if toes < -SUNK_TOES_M else min(ankle, toes)
         return lift, ankle - lift
@@ -98,11 +90,11 @@ class RestingFoot:
             self.down = True
             self._rest = [height + sense.lift_m for height in self._rest]
 
-    def settle(self, joints: Floats, share: float) -> None:
+    def settle(self, foot: FootSight, share: float) -> None:
         """A standing foot: its place and its rest follow by `share`; the rest stays where the foot is through the floor."""
-        here = (float(joints[self._ankle, 0]), float(joints[self._ankle, 1]))
+        here = foot[:2]
         x, y = self._place or here
         self._place = (x + share * (here[0] - x), y + share * (here[1] - y))
-        heights = (float(joints[self._ankle, 2]), float(joints[self._toes, 2]))
+        heights = foot[2:]
         if abs(heights[0] - self._rest[0]) < SUNK_M:
             self._rest = [rest + share * (height - rest) for rest, height in zip(self._rest, heights, strict=True)]

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from game import rotation_compiled as one
 from game.compiled import compiled
 from game.intake.gate_legs import HIPS
+from game.intake.smooth_step import smooth_step
 from kinect.body import Joint
 
 Floats = NDArray[np.float64]
@@ -62,7 +63,7 @@ def place_lines(joints: Floats, last: Floats, leg_m: float, most_rad: float, twi
         across = joints[_LINES[line, 0]] - joints[_LINES[line, 1]]
         found[line] = math.atan2(-across[0], across[1])
         low, high = SHORT_SHARE[line]
-        sure[line] = _step((math.hypot(across[0], across[1]) / leg_m - low) / (high - low))
+        sure[line] = smooth_step((math.hypot(across[0], across[1]) / leg_m - low) / (high - low))
         if abs(found[line]) > FARTHEST_RAD:
             sure[line] = 0.0
     if math.isnan(last[0]):
@@ -78,15 +79,15 @@ def place_lines(joints: Floats, last: Floats, leg_m: float, most_rad: float, twi
 @compiled
 def _follow(found: Floats, sure: Floats, last: Floats, most_rad: float, twist_rad: float) -> None:
     """Bring the headings `last` (2,) on towards the ones `found` (2,), as far as they are `sure` (2,)."""
-    hips, shoulders = last[0] + sure[0] * (found[0] - last[0]), last[1] + sure[1] * (found[1] - last[1])
+    hips, shoulders = _between(last[0], found[0], sure[0]), _between(last[1], found[1], sure[1])
     believed = hips
     if abs(shoulders - hips) > twist_rad:
         most_rad *= DOUBTED_SHARE
         if abs(shoulders - last[1]) < abs(hips - last[0]):
             believed = shoulders - math.copysign(twist_rad, shoulders - hips)
-    last[0] += min(max(believed - last[0], -most_rad), most_rad)
-    twist = min(max(shoulders - last[0], -twist_rad), twist_rad)
-    last[1] += min(max(last[0] + twist - last[1], -most_rad), most_rad)
+    last[0] = min(max(believed, last[0] - most_rad), last[0] + most_rad)
+    shoulders = min(max(shoulders, last[0] - twist_rad), last[0] + twist_rad)
+    last[1] = min(max(shoulders, last[1] - most_rad), last[1] + most_rad)
 
 
 @compiled
@@ -124,7 +125,6 @@ def _turn_shoulders(joints: Floats, angle_rad: float) -> None:
 
 
 @compiled
-def _step(x: float) -> float:
-    """Smoothly from 0 at 0 to 1 at 1."""
-    x = min(1.0, max(0.0, x))
-    return x * x * (3.0 - 2.0 * x)
+def _between(before: float, after: float, share: float) -> float:
+    """From the first at 0 to the second at 1, exactly."""
+    return after if share == 1.0 else before + share * (after - before)

@@ -1,7 +1,7 @@
 """A jump: the pelvis rises fast over feet that bear, legs nearly stretched, then both feet leave together and soon land."""
 
 from collections import deque
-from dataclasses import dataclass
+from typing import NamedTuple
 
 MEMORY_S = 0.25
 """How long before the feet leave a push-off may lie."""
@@ -15,8 +15,7 @@ STRETCHED_SHARE = 0.85
 REST_TIME_S = 3.0
 
 
-@dataclass(frozen=True)
-class Feet:
+class Feet(NamedTuple):
     """What a frame shows of both feet: sensed up or down (left, right), and whether the legs can be seen."""
 
     up: tuple[bool, bool]

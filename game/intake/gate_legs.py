@@ -5,7 +5,7 @@ shrink. Bones do not, so a leg rebuilt with its own bone lengths along the sense
 """
 
 import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ HIPS = (Joint.HIP_LEFT, Joint.HIP_RIGHT)
 KNEES = (Joint.KNEE_LEFT, Joint.KNEE_RIGHT)
 ANKLES = (Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT)
 FEET = (Joint.FOOT_LEFT, Joint.FOOT_RIGHT)
-_LEG = np.array((HIPS, KNEES, ANKLES)).T
+_LEG, _TOES = np.array((HIPS, KNEES, ANKLES)).T, np.array(FEET)
 _ROOT, _NECK = int(Joint.HIP_CENTER), int(Joint.SHOULDER_CENTER)
 
 LENGTH_TIME_S = 2.0
@@ -40,8 +40,24 @@ HIDDEN_SHARE = 0.12
 """Where both legs have lost this share of their height on straight knees, the sensor does not see them."""
 
 
-@dataclass(frozen=True)
-class Leg:
+Bone = tuple[float, float]
+"""Length (m) of a thigh or shin and how far up it points: the z of its unit vector."""
+
+FootSight = tuple[float, float, float, float]
+"""x, y, z of an ankle and z of its toes, world m."""
+
+
+class LegSight(NamedTuple):
+    """What a frame shows of the legs: thigh, shin, bend of the knee (rad) on the left and on the right; lean of the trunk (rad), height
+    of the shoulder centre (m)."""
+
+    left: tuple[Bone, Bone, float]
+    right: tuple[Bone, Bone, float]
+    lean_rad: float
+    neck_m: float
+
+
+class Leg(NamedTuple):
     """One leg in one frame. rise_m: by how much its own bone lengths put the hip higher (negative: lower); bend_rad: of the knee."""
 
     rise_m: float
@@ -65,41 +81,58 @@ class LegLengths:
         """Mean length of a leg, hip to ankle, stretched."""
         return 0.5 * (sum(self._length[0]) + sum(self._length[1]))
 
-    def observe(self, joints: Floats, dt: float, *, standing: bool) -> tuple[Leg, Leg]:
-        """Left and right leg of joints (20, 3), world frame; `standing`: both feet are on the floor, so that lengths may be learnt."""
-        bones = [_bones(joints, side) for side in (0, 1)]
-        neck = float(joints[Joint.SHOULDER_CENTER, 2])
+    def observe(self, sight: LegSight, dt: float, *, standing: bool) -> tuple[Leg, Leg]:
+        """Left and right leg; `standing`: both feet are on the floor, so that lengths may be learnt."""
+        bones, neck = sight[:2], sight.neck_m
         if not self._length:
             self._length = [[thigh[0], shin[0]] for thigh, shin, _ in bones]
             self._neck_m = neck
-        bends = [bend for _, _, bend in bones]
-        if standing and max(bends) < STRAIGHT_RAD and _lean(joints) < UPRIGHT_RAD:
+        left, right = self._leg(0, bones[0]), self._leg(1, bones[1])
+        if standing and max(left.bend_rad, right.bend_rad) < STRAIGHT_RAD and sight.lean_rad < UPRIGHT_RAD:
             # a plain mean at first, then ever slower
             self._learnt_s = min(self._learnt_s + dt, LENGTH_TIME_S)
-            off = 0.5 * sum(abs(self._leg(side, bones[side]).rise_m) for side in (0, 1))
+            off = 0.5 * (abs(left.rise_m) + abs(right.rise_m))
             time_s = self._learnt_s if off < STRANGE_SHARE * self.leg_m else STRANGE_TIME_S
             share = min(1.0, dt / time_s) if time_s > 0.0 else 0.0
             self._neck_m += share * (neck - self._neck_m)
-            for side, (thigh, shin, _) in enumerate(bones):
-                self._length[side][0] += share * (thigh[0] - self._length[side][0])
-                self._length[side][1] += share * (shin[0] - self._length[side][1])
+            for length, (thigh, shin, _) in zip(self._length, bones, strict=True):
+                length[0] += share * (thigh[0] - length[0])
+                length[1] += share * (shin[0] - length[1])
+            left, right = self._leg(0, bones[0]), self._leg(1, bones[1])
         self.stoop_m = max(0.0, self._neck_m - neck)
-        left, right = (self._leg(side, bones[side]) for side in (0, 1))
         return left, right
 
     def hidden(self, legs: tuple[Leg, Leg]) -> bool:
         """Whether both legs are so short, on straight knees, that they cannot have been seen."""
         return self.stoop_m > STOOP_M and all(leg.rise_m > HIDDEN_SHARE * self.leg_m and leg.bend_rad < 2.0 * STRAIGHT_RAD for leg in legs)
 
-    def _leg(self, side: int, bones: tuple[tuple[float, float], tuple[float, float], float]) -> Leg:
+    def _leg(self, side: int, bones: tuple[Bone, Bone, float]) -> Leg:
         (thigh, thigh_up), (shin, shin_up), bend = bones
         own_thigh, own_shin = self._length[side]
         return Leg((own_thigh - thigh) * thigh_up + (own_shin - shin) * shin_up, bend)
 
 
 @compiled
-def _bones(joints: Floats, side: int) -> tuple[tuple[float, float], tuple[float, float], float]:
-    """Thigh and shin, each length (m) and how far up it points (its unit vector's z), and the angle between them (rad)."""
+def feet_of(joints: Floats) -> tuple[FootSight, FootSight]:
+    """Left and right foot of joints (20, 3), world frame."""
+    return _foot(joints, 0), _foot(joints, 1)
+
+
+@compiled
+def _foot(joints: Floats, side: int) -> FootSight:
+    ankle = joints[_LEG[side, 2]]
+    return ankle[0], ankle[1], ankle[2], joints[_TOES[side], 2]
+
+
+@compiled
+def legs_of(joints: Floats) -> tuple[tuple[Bone, Bone, float], tuple[Bone, Bone, float], float, float]:
+    """The fields of a `LegSight`, of joints (20, 3), world frame."""
+    return _bones(joints, 0), _bones(joints, 1), _lean(joints), joints[_NECK, 2]
+
+
+@compiled
+def _bones(joints: Floats, side: int) -> tuple[Bone, Bone, float]:
+    """Thigh and shin, and the angle between them (rad)."""
     hip, knee, ankle = _LEG[side]
     thigh = joints[hip] - joints[knee]
     shin = joints[knee] - joints[ankle]

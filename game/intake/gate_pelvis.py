@@ -5,7 +5,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiled import compiled
 from game.intake.gate_legs import HIPS, Leg
+from game.intake.smooth_step import smooth_step
 from kinect.body import Joint
 
 Floats = NDArray[np.float64]
@@ -22,8 +24,8 @@ STRETCH_SHARE = 0.02
 SETTLING_S = 0.08
 """How fast the correction follows what is needed."""
 
-_PELVIS = [Joint.HIP_CENTER, Joint.SPINE, *HIPS]
-_UPPER = [j for j in Joint if j < Joint.HIP_LEFT] + [Joint.HIP_LEFT, Joint.HIP_RIGHT]
+_PELVIS = np.array([Joint.HIP_CENTER, Joint.SPINE, *HIPS])
+_UPPER = np.array([j for j in Joint if j < Joint.HIP_LEFT] + [Joint.HIP_LEFT, Joint.HIP_RIGHT])
 
 
 def needed_rise(leg: Leg, ankle_rise_m: float, leg_m: float, stoop_m: float, slack_share: float) -> float:
@@ -34,15 +36,9 @@ def needed_rise(leg: Leg, ankle_rise_m: float, leg_m: float, stoop_m: float, sla
     rise = leg.rise_m + ankle_rise_m
     if rise < 0.0:
         return min(0.0, rise + STRETCH_SHARE * leg_m)
-    short = _step((rise / leg_m - slack_share) / max(slack_share, 1e-3))
-    straight = 1.0 - _step(leg.bend_rad / BENT_RAD - 1.0)
-    return short * straight * _step(stoop_m / STOOP_M - 1.0) * rise
-
-
-def _step(x: float) -> float:
-    """Smoothly from 0 at 0 to 1 at 1."""
-    x = min(1.0, max(0.0, x))
-    return x * x * (3.0 - 2.0 * x)
+    short = smooth_step((rise / leg_m - slack_share) / max(slack_share, 1e-3))
+    straight = 1.0 - smooth_step(leg.bend_rad / BENT_RAD - 1.0)
+    return short * straight * smooth_step(stoop_m / STOOP_M - 1.0) * rise
 
 
 class PelvisHeight:
@@ -56,4 +52,11 @@ class PelvisHeight:
         self.rise_m += (1.0 - math.exp(-dt / SETTLING_S)) * (needed_m - self.rise_m)
         self.rise_m = min(self.rise_m, max(0.0, most_m))
         if self.rise_m != 0.0:
-            joints[_PELVIS if self.rise_m > 0.0 else _UPPER, 2] += self.rise_m
+            _raise(joints, _PELVIS if self.rise_m > 0.0 else _UPPER, self.rise_m)
+
+
+@compiled
+def _raise(joints: Floats, which: NDArray[np.int64], rise_m: float) -> None:
+    """Some of the joints (20, 3), in place."""
+    for joint in which:
+        joints[joint, 2] += rise_m

@@ -13,4 +13,4 @@ _SIGN = np.array([1.0, -1.0, 1.0])
 
 def mirror(joints: Floats) -> Floats:
     """World joints (..., 20, 3) reflected at the plane y = 0 with left and right joints swapped; its own inverse."""
-    return joints[..., _SWAP, :] * _SIGN
+    return joints.take(_SWAP, axis=-2) * _SIGN

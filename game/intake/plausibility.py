@@ -30,25 +30,27 @@ class Plausibility:
 
     def apply(self, frame: BodyFrame, jump_limit_m: float) -> BodyFrame | None:
         """The frame with every joint finite, or None where it is refused (the caller holds its last target)."""
-        self.fault = self._reason(frame, jump_limit_m)
-        if self.fault:
-            self.held_frames += 1
-            return None
-        repaired = self._repair(frame)
-        self._last = repaired
-        return repaired
+        self.fault = self._misshapen(frame)
+        if not self.fault:
+            count, whole, root_seen = _seen(frame.positions, frame.confidence)
+            self.fault = self._reason(frame, jump_limit_m, count, root_seen)
+            if not self.fault:
+                self._last = frame if whole else self._repair(frame)
+                return self._last
+        self.held_frames += 1
+        return None
 
-    def _reason(self, frame: BodyFrame, jump_limit_m: float) -> str:
+    def _misshapen(self, frame: BodyFrame) -> str:
         if frame.positions.shape != (JOINT_COUNT, 3):
             return f"a frame has joints of shape {frame.positions.shape}, not (20, 3): the last pose is held"
         if frame.confidence.shape != (JOINT_COUNT,):
             return f"a frame has confidences of shape {frame.confidence.shape}, not (20,): the last pose is held"
+        return ""
+
+    def _reason(self, frame: BodyFrame, jump_limit_m: float, count: int, root_seen: bool) -> str:
         last = self._last
-        if not np.isfinite(frame.time_s) or (last is not None and frame.time_s <= last.time_s):
+        if not math.isfinite(frame.time_s) or (last is not None and frame.time_s <= last.time_s):
             return f"a frame's time does not advance ({frame.time_s:.3f} s): it is dropped"
-        if last is not None and _all_seen(frame.positions, frame.confidence):
-            return self._jump(frame, last, jump_limit_m)
-        count, root_seen = _seen(frame.positions, frame.confidence)
         if not root_seen:
             return "the hip centre is lost: the last pose is held"
         if last is None and count < JOINT_COUNT:
@@ -59,50 +61,37 @@ class Plausibility:
 
     def _jump(self, frame: BodyFrame, last: BodyFrame, jump_limit_m: float) -> str:
         if frame.time_s - last.time_s < GAP_S:
-            jump = math.dist(frame.positions[Joint.HIP_CENTER], last.positions[Joint.HIP_CENTER])
+            jump = math.dist(frame.positions[_ROOT].tolist(), last.positions[_ROOT].tolist())
             if jump > jump_limit_m:
                 return f"the hip centre jumps {jump:.2f} m between two frames: the last pose is held"
         return ""
 
     def _repair(self, frame: BodyFrame) -> BodyFrame:
-        if _all_seen(frame.positions, frame.confidence):
-            return frame
         if self._last is None:
             return frame
         reach = INFERRED_SPEED_M_S * (frame.time_s - self._last.time_s)
-        positions, confidence = _repaired(frame.positions, frame.confidence, self._last.positions, reach)
+        positions, confidence = np.empty_like(frame.positions), np.empty_like(frame.confidence)
+        _mend(frame.positions, frame.confidence, self._last.positions, reach, positions, confidence)
         return BodyFrame(frame.time_s, positions, confidence, frame.player, frame.floor, frame.metric)
 
 
 @compiled
-def _all_seen(positions: Floats, confidence: Floats) -> bool:
-    """Every joint (n, 3) tracked and finite: the usual frame, which needs no repair."""
-    for joint in range(len(positions)):
-        if not confidence[joint] >= 1.0:
-            return False
-        for axis in range(3):
-            if not math.isfinite(positions[joint, axis]):
-                return False
-    return True
-
-
-@compiled
-def _seen(positions: Floats, confidence: Floats) -> tuple[int, bool]:
-    """How many joints are finite and not lost, and whether the hip centre is."""
-    count, root = 0, False
+def _seen(positions: Floats, confidence: Floats) -> tuple[int, bool, bool]:
+    """How many joints are finite and not lost, whether all are and are tracked, so that nothing is to repair; whether the hip centre is."""
+    count, whole, root = 0, True, False
     for joint in range(len(positions)):
         finite = math.isfinite(positions[joint, 0]) and math.isfinite(positions[joint, 1]) and math.isfinite(positions[joint, 2])
         if finite and confidence[joint] > 0.0:
             count += 1
             root = root or joint == _ROOT
-    return count, root
+        whole = whole and finite and confidence[joint] >= 1.0
+    return count, whole, root
 
 
 @compiled
-def _repaired(positions: Floats, confidence: Floats, last: Floats, reach_m: float) -> tuple[Floats, Floats]:
-    """Joints (20, 3) and their confidence (20,): a lost one stays where it was against the hip centre in `last` (20, 3), an inferred one
-    goes half of the way from there, at most `reach_m`."""
-    out, sure = np.empty_like(positions), np.empty_like(confidence)
+def _mend(positions: Floats, confidence: Floats, last: Floats, reach_m: float, out: Floats, sure: Floats) -> None:
+    """Fill joints `out` (20, 3) and their confidence `sure` (20,): a lost one stays where it was against the hip centre in `last` (20, 3),
+    an inferred one goes half of the way from there, at most `reach_m`."""
     held, step = np.empty(3), np.empty(3)
     for joint in range(len(positions)):
         finite = math.isfinite(positions[joint, 0]) and math.isfinite(positions[joint, 1]) and math.isfinite(positions[joint, 2])
@@ -117,4 +106,3 @@ def _repaired(positions: Floats, confidence: Floats, last: Floats, reach_m: floa
             share = 1.0
         for axis in range(3):
             out[joint, axis] = held[axis] + share * step[axis]
-    return out, sure

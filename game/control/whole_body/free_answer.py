@@ -25,11 +25,11 @@ class Answer(NamedTuple):
 
 @compiled
 def free_answer(
-    gradient: Floats, lower: Floats, mass: Floats, bias: Floats, response: Floats, schur_inverse: Floats, jacobian: Floats,
-    price: Floats, cone: Floats, low: Floats, high: Floats,
+    free: Floats, mass: Floats, bias: Floats, response: Floats, schur_inverse: Floats, jacobian: Floats, price: Floats, cone: Floats,
+    low: Floats, high: Floats,
 ) -> Answer:  # fmt: skip
     """Names as in `inverse_dynamics`; cone (k, n): rows that must not be positive; low, high (42,) N m."""
-    quadratic, linear, free, residual = wrench_cost(gradient, lower, mass, bias, schur_inverse, jacobian, price)
+    quadratic, linear, residual = wrench_cost(free, mass, bias, schur_inverse, jacobian, price)
     wrench = solve_lower_both(cholesky(quadratic), -linear.reshape(1, -1))[0]
     acceleration, torque = motion_and_torque(wrench, free, residual, response, schur_inverse, mass, bias, jacobian)
     return Answer(in_cone(cone, wrench) and between(low, torque, high), torque, acceleration, wrench)

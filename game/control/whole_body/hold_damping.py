@@ -29,10 +29,12 @@ def hold_damping(wanted: Floats, torque: Floats, low: Floats, high: Floats) -> F
 
 @compiled
 def hold(
-    firmness: Floats, torque: Floats, low: Floats, high: Floats, velocity: Floats, acceleration: Floats, dt: float
-) -> tuple[Floats, Floats]:
-    """Damping N m s/rad and speed rad/s, (42,) each, that hold the joints to their plan for `dt`; velocity, acceleration (48,)."""
-    return hold_damping(firmness, torque, low, high), held_speed(velocity[6:], MIDDLE * dt * acceleration[6:])
+    firmness: Floats, torque: Floats, low: Floats, high: Floats, velocity: Floats, acceleration: Floats, dt: float,
+    damping: Floats, speed: Floats,
+) -> None:  # fmt: skip
+    """Fill damping N m s/rad and speed rad/s, (42,) each, that hold the joints to their plan for `dt`; velocity, acceleration (48,)."""
+    damping[:] = hold_damping(firmness, torque, low, high)
+    speed[:] = held_speed(velocity[6:], MIDDLE * dt * acceleration[6:])
 
 
 @compiled

@@ -18,8 +18,8 @@ Floats = NDArray[np.float64]
 
 _ROOT_ROWS = 6
 _SIDES = 8
-_PANEL = 3
-"""Columns that `cholesky` takes at a time; it unrolls them by hand, and 6 and 48 are multiples."""
+_PANEL = 6
+"""Columns that `cholesky` takes at a time; it unrolls them by hand, and all it is given are multiples."""
 
 
 @compiled
@@ -42,8 +42,21 @@ def add_task(hessian: Floats, gradient: Floats, rows: Floats, weight: Floats, wa
 
 
 @compiled
+def add_full_tasks(hessian: Floats, gradient: Floats, rows: Floats, weight: Floats, wanted: Floats) -> None:
+    """`add_task` of three tasks, rows (3, 48), that every degree of freedom serves."""
+    for i in range(DOF_COUNT):
+        a, b, c = weight[0] * rows[0, i], weight[1] * rows[1, i], weight[2] * rows[2, i]
+        gradient[i] = gradient[i] + a * wanted[0] + b * wanted[1] + c * wanted[2]
+        for j in range(i + 1):
+            hessian[i, j] = hessian[i, j] + a * rows[0, j] + b * rows[1, j] + c * rows[2, j]
+
+
+@compiled
 def cholesky(a: Floats) -> Floats:
-    """(n, n) lower triangular L with L L' = a; only a's lower triangle is read. Three columns at a time: loops that vectorise."""
+    """(n, n) lower triangular L with L L' = a; n a multiple of 6; only a's lower triangle is read.
+
+    Six columns at a time: loops that vectorise.
+    """
     count = len(a)
     out = np.zeros((count, count))
     column = np.empty((_PANEL, count))
@@ -62,9 +75,10 @@ def cholesky(a: Floats) -> Floats:
                 for j in range(k + 1, min(last, i + 1)):
                     out[i, j] -= scale * column[k - first, j]
         for i in range(last, count):
-            p, q, r = column[0, i], column[1, i], column[2, i]
+            p, q, r, s, t, u = column[0, i], column[1, i], column[2, i], column[3, i], column[4, i], column[5, i]
             for j in range(last, i + 1):
-                out[i, j] = out[i, j] - p * column[0, j] - q * column[1, j] - r * column[2, j]
+                less = out[i, j] - p * column[0, j] - q * column[1, j] - r * column[2, j]
+                out[i, j] = less - s * column[3, j] - t * column[4, j] - u * column[5, j]
     return out
 
 
@@ -102,28 +116,32 @@ def solve_lower_both(lower: Floats, right: Floats) -> Floats:
 
 
 @compiled
-def eliminate(hessian: Floats, mass: Floats) -> tuple[Floats, Floats, Floats]:
-    """What stays when the accelerations are eliminated: L of H, (H^-1 M_u')' (6, 48), and S^-1 (6, 6) of S = M_u H^-1 M_u'."""
+def eliminate(hessian: Floats, mass: Floats, gradient: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """What stays when the accelerations are eliminated: L of H, (H^-1 M_u')' (6, 48), S^-1 (6, 6) of S = M_u H^-1 M_u', and H^-1 g (48,),
+    the accelerations that would serve the tasks best on a body pushed from outside."""
     lower = cholesky(hessian)
-    response = solve_lower_both(lower, mass[:_ROOT_ROWS])
+    # the gradient costs nothing beside the six rows of M_u
+    right = np.empty((_ROOT_ROWS + 1, DOF_COUNT))
+    right[:_ROOT_ROWS], right[_ROOT_ROWS] = mass[:_ROOT_ROWS], gradient
+    solved = solve_lower_both(lower, right)
+    response = solved[:_ROOT_ROWS]
     schur = np.zeros((_ROOT_ROWS, _ROOT_ROWS))
-    for i in range(_ROOT_ROWS):
-        for j in range(_ROOT_ROWS):
-            for k in range(DOF_COUNT):
+    for k in range(DOF_COUNT):
+        for i in range(_ROOT_ROWS):
+            for j in range(_ROOT_ROWS):
                 schur[i, j] += mass[i, k] * response[j, k]
-    return lower, response, solve_lower_both(cholesky(schur), np.eye(_ROOT_ROWS))
+    return lower, response, solve_lower_both(cholesky(schur), np.eye(_ROOT_ROWS)), solved[_ROOT_ROWS]
 
 
 @compiled
 def wrench_cost(
-    gradient: Floats, lower: Floats, mass: Floats, bias: Floats, schur_inverse: Floats, jacobian: Floats, price: Floats
-) -> tuple[Floats, Floats, Floats, Floats]:
-    """The QP in the wrenches, 1/2 w' Q w + f' w, and what `motion_and_torque` needs: the free accelerations (48,) and residual (6,).
+    free: Floats, mass: Floats, bias: Floats, schur_inverse: Floats, jacobian: Floats, price: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """The QP in the wrenches, 1/2 w' Q w + f' w, and what the free accelerations (48,) leave of the six unactuated rows, (6,).
 
     jacobian (n, 48): one row a wrench component; price (n,): the diagonal of E.
     """
     count = len(jacobian)
-    free = solve_lower_both(lower, gradient.reshape(1, -1))[0]
     residual = bias[:_ROOT_ROWS].copy()
     for i in range(_ROOT_ROWS):
         for k in range(DOF_COUNT):
@@ -141,7 +159,13 @@ def wrench_cost(
         quadratic[n, n] += price[n]
         for i in range(_ROOT_ROWS):
             linear[n] -= reached[n, i] * residual[i]
-    return quadratic, linear, free, residual
+    return quadratic, linear, residual
+
+
+@compiled
+def free_accelerations(lower: Floats, gradient: Floats) -> Floats:
+    """(48,) H^-1 g."""
+    return solve_lower_both(lower, gradient.reshape(1, -1))[0]
 
 
 @compiled

@@ -26,7 +26,7 @@ LOWEST, HIGHEST = -8.0, 20.0
 """m/s^2 the COM may be asked for."""
 
 BRAKE, BRAKE_RATE = 5.0, 15.0
-"""m/s^2 that the hips, where they rise and nobody leaps, can be stopped with before the legs are straight, and 1/s of their excess speed."""
+"""m/s^2 that rising hips are stopped with before the legs are straight, where nobody leaps; 1/s of what they are too fast."""
 
 
 def leap_speed(window: MotionWindow, player: PlayerStance, body: BodyState) -> float:

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from game.characters.skeleton import DOF_COUNT, FEET, JOINT_COUNT
 from game.compiled import compiled
-from game.control.whole_body.free_answer import Answer, free_answer
+from game.control.whole_body.free_answer import free_answer
+from game.control.whole_body.hold_damping import hold
 from game.control.whole_body.inverse_dynamics import eliminate
 from game.control.whole_body.joint_limits import soft_limits
 from game.control.whole_body.joint_tasks import joint_accelerations, joint_errors, turn_acceleration, turn_error, way_back
@@ -73,25 +74,47 @@ class Numbers(NamedTuple):
 
 
 class Posed(NamedTuple):
-    """The tick's optimisation; names as in `torque_limits.Problem`. low, high: torques (42,) N m left at this speed; weight (42,) of the
-    joint tasks; inertia, firmness (42,); momentum (3,)."""
+    """The tick's optimisation; names as in `torque_limits.Problem`. weight (42,) of the joint tasks; inertia (42,); firmness (42,) with
+    which the joints may be held to their plan."""
 
     gradient: Floats
     lower: Floats
     response: Floats
     schur_inverse: Floats
+    free: Floats
     jacobian: Floats
-    low: Floats
-    high: Floats
     weight: Floats
     inertia: Floats
     firmness: Floats
+
+
+def room_for_posed() -> Posed:
+    """Arrays to be filled; the Jacobian has rows for two soles."""
+    dof, joints = DOF_COUNT, 3 * JOINT_COUNT
+    shapes = (dof, (dof, dof), (6, dof), (6, 6), dof, (12, dof), joints, joints, joints)
+    return Posed(*(np.zeros(shape) for shape in shapes))
+
+
+class Outcome(NamedTuple):
+    """What a tick comes to: the torques N m that the joints have left at their speed, least and largest, the torques that they are to
+    have, damping N m s/rad and speed rad/s that hold them to the plan (42,); acceleration (48,), wrench (n,), momentum (3,)."""
+
+    low: Floats
+    high: Floats
+    torque: Floats
+    damping: Floats
+    speed: Floats
+    acceleration: Floats
+    wrench: Floats
     momentum: Floats
 
 
 @compiled
-def pose(body: Body, wanted: Wanted, numbers: Numbers, strength: Floats, joint_weight: Floats) -> Posed:
-    """All tasks as one cost, accelerations eliminated. strength (2, 42): least and largest torque at rest; joint_weight (42,)."""
+def pose(body: Body, wanted: Wanted, numbers: Numbers, strength: Floats, joint_weight: Floats) -> tuple[Posed, Floats, Floats, Floats]:
+    """All tasks as one cost, accelerations eliminated; the torques left, least and largest (42,), and the momentum (3,).
+
+    strength (2, 42): least and largest torque at rest; joint_weight (42,).
+    """
     mass, velocity = body.mass, body.velocity
     low, high = limits_at(strength[0], strength[1], velocity[6:])
     weight, inertia = joint_weight.copy(), np.empty(3 * JOINT_COUNT)
@@ -119,26 +142,50 @@ def pose(body: Body, wanted: Wanted, numbers: Numbers, strength: Floats, joint_w
     arm = body.com - body.joint[0]
     way = way_back(error, root_error, numbers.back_rate, numbers.largest_back)
     momentum = add_spin(hessian, gradient, mass, body.bias, velocity, way, body.turn[0], arm, numbers.spin_weight, numbers.spin_rate)
-    lower, response, schur_inverse = eliminate(hessian, mass)
-    return Posed(gradient, lower, response, schur_inverse, jacobian[:count], low, high, weight, inertia, firmness, momentum)
+    lower, response, schur_inverse, free = eliminate(hessian, mass, gradient)
+    posed = Posed(gradient, lower, response, schur_inverse, free, jacobian[:count], weight, inertia, firmness)
+    return posed, low, high, momentum
 
 
 def pose_and_answer(
-    body: Body, wanted: Wanted, numbers: Numbers, strength: Floats, joint_weight: Floats, price: Floats, cone: Floats
-) -> tuple[Posed, Answer]:
-    """`pose`, and what the body would do were no limit in the way: see `Answer.within`."""
-    # numba takes a plain tuple much faster than one with names
-    return _pose_and_answer(tuple(body), tuple(wanted), tuple(numbers), strength, joint_weight, price, cone)
+    body: Body, wanted: Wanted, numbers: Numbers, strength: Floats, joint_weight: Floats, price: Floats, cone: Floats, posed: Posed
+) -> tuple[bool, Outcome]:
+    """`pose`, and what the body does where no limit is in its way, which is told first: see `Answer.within`.
+
+    Where one is, `posed` is filled, and the outcome's torque, damping and speed are still to be found within the limits.
+    """
+    # arrays made here and plain tuples: handing out arrays and taking tuples with names costs numba much more
+    low, high, torque, damping, speed = np.empty((5, 3 * JOINT_COUNT))
+    outcome = Outcome(low, high, torque, damping, speed, np.empty(DOF_COUNT), np.empty(len(price)), np.empty(3))
+    within = _pose_and_answer(
+        tuple(body), tuple(wanted), tuple(numbers), strength, joint_weight, price, cone, tuple(posed), tuple(outcome)
+    )  # fmt: skip
+    return within, outcome
 
 
 @compiled
 def _pose_and_answer(
-    body_fields: tuple, wanted_fields: tuple, number_fields: tuple, strength: Floats, joint_weight: Floats, price: Floats, cone: Floats
-) -> tuple[Posed, Answer]:
-    body, numbers = Body(*body_fields), Numbers(*number_fields)
-    posed = pose(body, Wanted(*wanted_fields), numbers, strength, joint_weight)
+    body_fields: tuple, wanted_fields: tuple, number_fields: tuple, strength: Floats, joint_weight: Floats, price: Floats, cone: Floats,
+    posed_fields: tuple, outcome_fields: tuple,
+) -> bool:  # fmt: skip
+    body, numbers, out = Body(*body_fields), Numbers(*number_fields), Outcome(*outcome_fields)
+    posed, low, high, momentum = pose(body, Wanted(*wanted_fields), numbers, strength, joint_weight)
     answer = free_answer(
-        posed.gradient, posed.lower, body.mass, body.bias, posed.response, posed.schur_inverse, posed.jacobian, price, cone,
-        numbers.planned * posed.low, numbers.planned * posed.high,
+        posed.free, body.mass, body.bias, posed.response, posed.schur_inverse, posed.jacobian, price, cone,
+        numbers.planned * low, numbers.planned * high,
     )  # fmt: skip
-    return posed, answer
+    out.low[:], out.high[:], out.momentum[:] = low, high, momentum
+    if answer.within:
+        out.torque[:], out.acceleration[:], out.wrench[:] = answer.torque, answer.acceleration, answer.wrench
+        hold(posed.firmness, answer.torque, low, high, body.velocity, answer.acceleration, numbers.dt, out.damping, out.speed)
+    else:
+        _fill(posed, Posed(*posed_fields))
+    return answer.within
+
+
+@compiled
+def _fill(posed: Posed, out: Posed) -> None:
+    """Copy the first into the arrays of the second."""
+    out.gradient[:], out.lower[:], out.response[:], out.schur_inverse[:] = posed.gradient, posed.lower, posed.response, posed.schur_inverse
+    out.free[:], out.jacobian[: len(posed.jacobian)] = posed.free, posed.jacobian
+    out.weight[:], out.inertia[:], out.firmness[:] = posed.weight, posed.inertia, posed.firmness

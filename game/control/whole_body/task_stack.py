@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from game.characters.skeleton import DOF_COUNT
 from game.compiled import compiled
-from game.control.whole_body.inverse_dynamics import add_task
+from game.control.whole_body.inverse_dynamics import add_full_tasks, add_task
 from game.control.whole_body.leg_kinematics import sole_jacobian
 
 Floats = NDArray[np.float64]
@@ -60,7 +60,7 @@ def add_com(
     rows = mass[:3] / total_mass
     rest = bias[:3] / total_mass
     rest[2] -= gravity
-    add_task(hessian, gradient, rows, weight, goal - rest)
+    add_full_tasks(hessian, gradient, rows, weight, goal - rest)
 
 
 @compiled
@@ -85,5 +85,5 @@ def add_spin(
         for column in range(DOF_COUNT):
             momentum[axis] += rows[axis, column] * velocity[column]
             excess[axis] += rows[axis, column] * (velocity[column] - wanted_velocity[column])
-    add_task(hessian, gradient, rows, np.full(3, weight), -rate * excess - rest)
+    add_full_tasks(hessian, gradient, rows, np.full(3, weight), -rate * excess - rest)
     return momentum

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from game.characters.skeleton import JOINT_COUNT
 from game.compiled import compiled
 from game.control.whole_body.contact_wrenches import solve_wrenches
-from game.control.whole_body.inverse_dynamics import motion_and_torque, torque_of_wrench, wrench_cost
+from game.control.whole_body.inverse_dynamics import free_accelerations, motion_and_torque, torque_of_wrench, wrench_cost
 
 Floats = NDArray[np.float64]
 
@@ -34,6 +34,7 @@ class Problem:
     lower: Floats
     response: Floats
     schur_inverse: Floats
+    free: Floats
     mass: Floats
     bias: Floats
     jacobian: Floats
@@ -63,9 +64,11 @@ def within_limits(problem: Problem, low: Floats, high: Floats, weight: Floats, i
     """
     p = problem
     held = _HELD[p.standing]
-    gradient = p.gradient
+    gradient, free = p.gradient, p.free
     for attempt in range(3):
-        quadratic, linear, free, residual = wrench_cost(gradient, p.lower, p.mass, p.bias, p.schur_inverse, p.jacobian, p.price)
+        if attempt > 0:
+            free = free_accelerations(p.lower, gradient)
+        quadratic, linear, residual = wrench_cost(free, p.mass, p.bias, p.schur_inverse, p.jacobian, p.price)
         wrench = _NONE
         if p.standing:
             solved = solve_wrenches(quadratic, linear, p.cone, _NO_ROWS[len(p.standing)], _NONE, _NONE)

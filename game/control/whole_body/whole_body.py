@@ -20,7 +20,7 @@ from game.control.whole_body.leap import ComHeight, leap_speed, taking_off
 from game.control.whole_body.leg_kinematics import sole_motions
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.player_stance import PlayerStance
-from game.control.whole_body.posed_tick import Body, Numbers, Wanted, pose_and_answer
+from game.control.whole_body.posed_tick import Body, Numbers, Wanted, pose_and_answer, room_for_posed
 from game.control.whole_body.sole import Sole, soles_of
 from game.control.whole_body.torque_limits import Problem, within_limits
 from game.target.kinematic_target import KinematicTarget
@@ -88,11 +88,12 @@ class WholeBody:
         self._ready = False
         self._hanging = AnkleStrategy(settings)
         self._cone_of, self._cone_rows = (0.0, 0), _NO_ROWS
+        self._posed = room_for_posed()
 
     def reset(self, dynamics: BodyState) -> None:
         self._ready = True
         self.footing = Footing()
-        self._strength = np.array(joint_strength(dynamics.plan))
+        self._full_strength, self._numbers_of = np.array(joint_strength(dynamics.plan)), (-1, 0.0)
         self._total_mass = float(dynamics.subtree_mass[0])
         self._hanging.reset(dynamics)
         self._window = MotionWindow()
@@ -177,35 +178,46 @@ class WholeBody:
             # the floor's force points from the pressure to the COM: the less it lifts, the less it pushes sideways
             load = max(1.0 + com_goal[2] / body.gravity, LEAST_LOAD)
             com_goal[:2] = load * frequency**2 * (body.com[:2] - self.pressure)
-        number = self._settings.number
         # who leaves the floor or meets it must not turn: there is nothing to come back with in the air
         leaping = self.footing.landed_s < LANDED_S or leap_speed(self._window, self._player, body) > 0.0
-        numbers = Numbers(
-            number("whole_body.pose_stiffness"), number("whole_body.pose_damping"), number("whole_body.pelvis_weight"),
-            number("whole_body.spin_weight"), SPIN_RATE, 0.0 if leaping else BACK_RATE, LARGEST_BACK,
-            number("whole_body.hold"), PLANNED, HELD_BY_RAD_S, dt,
-        )  # fmt: skip
-        posed, answer = pose_and_answer(
+        numbers, cone, price = self._tunables(leaping, dt), self._cone(soles[0], standing), _PRICE[: 6 * len(standing)]
+        within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
             Wanted(
                 motion.turn, motion.spin, motion.spin_rate, self._player.orientation(motion.root),
                 (soles[0].centre, soles[1].centre), weight, goal, product, pushes, com_goal, _COM_WEIGHT,
             ),
-            numbers, number("whole_body.strength") * self._strength, _JOINT_WEIGHT[standing],
-            _PRICE[: 6 * len(standing)], self._cone(soles[0], standing),
+            numbers, self._strength, _JOINT_WEIGHT[standing], price, cone, self._posed,
         )  # fmt: skip
-        self.standing, self.limits, self.momentum = standing, (posed.low, posed.high), posed.momentum
-        self.torque, acceleration, self.wrench = answer.torque, answer.acceleration, answer.wrench
-        if not answer.within:
+        self.standing, self.limits, self.momentum = standing, (outcome.low, outcome.high), outcome.momentum
+        self.torque, self.wrench = outcome.torque, outcome.wrench
+        if not within:
+            p = self._posed
             problem = Problem(
-                posed.gradient, posed.lower, posed.response, posed.schur_inverse, mass, bias, posed.jacobian,
-                _PRICE[: 6 * len(standing)], self._cone_rows, standing,
-            )  # fmt: skip
-            limits = PLANNED * posed.low, PLANNED * posed.high
-            self.torque, acceleration, self.wrench = within_limits(problem, *limits, posed.weight, posed.inertia)
+                p.gradient, p.lower, p.response, p.schur_inverse, p.free, mass, bias, p.jacobian[: len(price)], price, cone, standing
+            )
+            limits = PLANNED * outcome.low, PLANNED * outcome.high
+            self.torque, acceleration, self.wrench = within_limits(problem, *limits, p.weight, p.inertia)
+            hold(p.firmness, self.torque, *self.limits, velocity, acceleration, dt, outcome.damping, outcome.speed)
         self.com_target[2] = motion.place[3, 2] - self._player.floor_z
-        damping, reference = hold(posed.firmness, self.torque, posed.low, posed.high, velocity, acceleration, dt)
-        return JointCommand(rotation, reference, _NOTHING, damping, self.torque)
+        return JointCommand(rotation, outcome.speed, _NOTHING, outcome.damping, self.torque)
+
+    def _tunables(self, leaping: bool, dt: float) -> Numbers:
+        """Read anew where one was turned or another tick is asked for, and the strength with them."""
+        number, key = self._settings.number, (self._settings.version, dt)
+        if self._numbers_of != key:
+            self._numbers_of = key
+            self._strength = number("whole_body.strength") * self._full_strength
+            standing, flying = (
+                Numbers(
+                    number("whole_body.pose_stiffness"), number("whole_body.pose_damping"), number("whole_body.pelvis_weight"),
+                    number("whole_body.spin_weight"), SPIN_RATE, back_rate, LARGEST_BACK, number("whole_body.hold"), PLANNED,
+                    HELD_BY_RAD_S, dt,
+                )
+                for back_rate in (BACK_RATE, 0.0)
+            )  # fmt: skip
+            self._numbers = standing, flying
+        return self._numbers[leaping]
 
     def _foot_tasks(self, soles: tuple[Sole, Sole], twist: Floats, motion: Motion, body: BodyState, weight: Floats, goal: Floats) -> None:
         """Fill weight and goal, (2, 6) each, of both soles, which move with `twist` (2, 6)."""

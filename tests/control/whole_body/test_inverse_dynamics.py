@@ -30,9 +30,9 @@ class Tick:
         soles = [sole_jacobian(side, sole_point(self.body, side), self.body.joint, self.body.turn) for side in range(feet)]
         self.jacobian = np.concatenate(soles) if soles else np.zeros((0, 48))
         self.price = np.full(6 * feet, 1e-4)
-        self.lower, self.response, self.schur_inverse = eliminate(self.hessian, self.mass)
-        self.quadratic, self.linear, self.free, self.residual = wrench_cost(
-            self.gradient, self.lower, self.mass, self.bias, self.schur_inverse, self.jacobian, self.price
+        self.lower, self.response, self.schur_inverse, self.free = eliminate(self.hessian, self.mass, self.gradient)
+        self.quadratic, self.linear, self.residual = wrench_cost(
+            self.free, self.mass, self.bias, self.schur_inverse, self.jacobian, self.price
         )
 
     def answer(self, wrench):
