@@ -42,6 +42,7 @@ class BodyDynamics:
         self._turn, self._orientation = data.xmat[self.bodies].reshape(-1, 3, 3), data.xquat[self.bodies]
         self._joint, self._box_centre = data.xpos[self.bodies], data.xipos[self.bodies]
         self._subtree_com, self._gravity = data.subtree_com[self.bodies], model.opt.gravity
+        self._rotation = self._position[7:].reshape(-1, 4)
         self._sparse_mass = data.M, model.M_rownnz, model.M_rowadr, model.M_colind
         self.refresh()
 
@@ -80,7 +81,7 @@ class BodyDynamics:
     @property
     def joint_rotation(self) -> Floats:
         """(14, 4) child in parent frame."""
-        return self._position[7:].reshape(-1, 4).copy()
+        return self._rotation.copy()
 
     @property
     def equations(self) -> tuple[Floats, Floats]:
@@ -175,16 +176,22 @@ def dense_mass(mass: Floats, row_count: Indices, row_start: Indices, column: Ind
 @compiled
 def mean_velocity(velocity: Floats, turn: Floats, joint: Floats, box_centre: Floats, mass: Floats) -> Floats:
     """(3,) m/s of the centre of mass: the mean of the parts' velocities by mass; velocity (48,), mass (15,), the rest as `BodyDynamics`."""
-    spin, at_joint = np.empty((PART_COUNT, 3)), np.empty((PART_COUNT, 3))
-    out, total = np.zeros(3), 0.0
+    spin, at_joint = np.zeros((PART_COUNT, 3)), np.empty((PART_COUNT, 3))
+    out, arm, at_centre, total = np.zeros(3), np.empty(3), np.empty(3), 0.0
+    at_joint[0] = velocity[:3]
     for part in range(PART_COUNT):
-        own = one.turn(turn[part], velocity[3 + 3 * part : 6 + 3 * part])
-        if part == 0:
-            spin[0], at_joint[0] = own, velocity[:3]
-        else:
-            parent = _PARENT[part]
-            spin[part] = spin[parent] + own
-            at_joint[part] = at_joint[parent] + one.cross(spin[parent], joint[part] - joint[parent])
-        out += mass[part] * (at_joint[part] + one.cross(spin[part], box_centre[part] - joint[part]))
+        parent = _PARENT[part]
+        if part > 0:
+            spin[part], at_joint[part] = spin[parent], at_joint[parent]
+            for axis in range(3):
+                arm[axis] = joint[part, axis] - joint[parent, axis]
+            one.add_cross(at_joint[part], spin[parent], arm)
+        one.add_turned(spin[part], turn[part], velocity[3 + 3 * part : 6 + 3 * part])
+        for axis in range(3):
+            arm[axis] = box_centre[part, axis] - joint[part, axis]
+        at_centre[:] = at_joint[part]
+        one.add_cross(at_centre, spin[part], arm)
+        for axis in range(3):
+            out[axis] += mass[part] * at_centre[axis]
         total += mass[part]
     return out / total

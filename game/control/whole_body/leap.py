@@ -60,12 +60,13 @@ class ComHeight:
     def acceleration(self, motion: Motion, window: MotionWindow, player: PlayerStance, footing: Footing, body: BodyState) -> float:
         """m/s^2 upwards that the COM is asked for."""
         height, speed = float(motion.place[3, 2]) - player.floor_z, float(body.com_velocity[2])
+        com_height, rise = float(body.com[2]), float(motion.velocity[3, 2])
         if footing.landed_s < LANDING_S:
-            self._landing = (self._landing or footing.landed_s < 0.02) and height > body.com[2]
+            self._landing = (self._landing or footing.landed_s < 0.02) and height > com_height
             if self._landing:
                 # not after the player up into the air again: soften the landing until he comes down too
                 return min(max(-12.0 * speed, -5.0), 9.0)
-        wanted = 100.0 * (height - body.com[2]) + 20.0 * (motion.velocity[3, 2] - speed) + motion.acceleration[3, 2]
-        if motion.velocity[3, 2] > 0.3:
+        wanted = 100.0 * (height - com_height) + 20.0 * (rise - speed) + float(motion.acceleration[3, 2])
+        if rise > 0.3:
             wanted = max(wanted, 30.0 * (leap_speed(window, player, body) - speed))
         return min(max(wanted, LOWEST), HIGHEST)
