@@ -36,7 +36,7 @@ class BodyDynamics:
         self.joint_dofs = slice(DOF_COUNT * index + 6, DOF_COUNT * (index + 1))
         self.coordinates = slice(POSITION_COUNT * index, POSITION_COUNT * (index + 1))
         self.subtree_mass: Floats = np.array(model.body_subtreemass[self.bodies])
-        self._foot_half = plan.size[list(FEET)] / 2.0
+        self.foot_half: Floats = plan.size[list(FEET)] / 2.0
         # views: MuJoCo steps in place
         self._position, self._velocity = data.qpos[self.coordinates], data.qvel[self.dofs]
         self._turn, self._orientation = data.xmat[self.bodies].reshape(-1, 3, 3), data.xquat[self.bodies]
@@ -130,14 +130,14 @@ class BodyDynamics:
     def foot_corners(self) -> Floats:
         """(2, 8, 3) corners of the left and right foot box."""
         feet = list(FEET)
-        local = self._foot_half[:, None, :] * _CORNERS
+        local = self.foot_half[:, None, :] * _CORNERS
         return self.box_centre[feet][:, None, :] + local @ self.turn[feet].transpose(0, 2, 1)
 
     @property
     def foot_contact(self) -> tuple[bool, bool]:
         """Left, right foot: lowest corner below 4 mm."""
         if self._foot_contact is None:
-            self._foot_contact = feet_on_floor(self.turn, self.box_centre, self._foot_half)
+            self._foot_contact = feet_on_floor(self.turn, self.box_centre, self.foot_half)
         return self._foot_contact
 
     def com_height(self) -> float:
@@ -151,13 +151,17 @@ def lowest_corner(turn: Floats, centre: Floats, half: Floats) -> float:
 
 
 @compiled
+def lowest_corners(turn: Floats, box_centre: Floats, half: Floats) -> tuple[float, float]:
+    """Height (m) of the lowest corner of the left and of the right foot; turn (15, 3, 3), box_centre (15, 3), half (2, 3) m."""
+    left, right = FEET
+    return lowest_corner(turn[left], box_centre[left], half[0]), lowest_corner(turn[right], box_centre[right], half[1])
+
+
+@compiled
 def feet_on_floor(turn: Floats, box_centre: Floats, half: Floats) -> tuple[bool, bool]:
     """Left, right: lowest corner of the foot below 4 mm; turn (15, 3, 3), box_centre (15, 3), half (2, 3) m."""
-    left, right = FEET
-    return (
-        lowest_corner(turn[left], box_centre[left], half[0]) < CONTACT_HEIGHT_M,
-        lowest_corner(turn[right], box_centre[right], half[1]) < CONTACT_HEIGHT_M,
-    )
+    left, right = lowest_corners(turn, box_centre, half)
+    return left < CONTACT_HEIGHT_M, right < CONTACT_HEIGHT_M
 
 
 @compiled
