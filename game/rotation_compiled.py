@@ -152,6 +152,18 @@ def turn_to(a: Floats, b: Floats) -> tuple[float, float, float]:
 
 
 @compiled
+def turn_by(a: Floats, b: Floats) -> tuple[float, float, float]:
+    """log(b conjugate(a)): the rotation vector of `turn_to` in the frame in which both orientations are given; makes no arrays."""
+    w = b[0] * a[0] + b[1] * a[1] + b[2] * a[2] + b[3] * a[3]
+    x = -b[0] * a[1] + b[1] * a[0] - b[2] * a[3] + b[3] * a[2]
+    y = -b[0] * a[2] + b[1] * a[3] + b[2] * a[0] - b[3] * a[1]
+    z = -b[0] * a[3] - b[1] * a[2] + b[2] * a[1] + b[3] * a[0]
+    sine = math.sqrt(x * x + y * y + z * z + 1e-60)
+    scale = 2.0 * math.atan2(sine, abs(w)) / (sine if w >= 0.0 else -sine)
+    return x * scale, y * scale, z * scale
+
+
+@compiled
 def between(a: Floats, b: Floats) -> Floats:
     """The smallest rotation (4,) that turns unit direction a to unit direction b; opposites turn about any normal."""
     q = np.empty(4)
