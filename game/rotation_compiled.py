@@ -39,6 +39,14 @@ def cross(a: Floats, b: Floats) -> Floats:
 
 
 @compiled
+def add_cross(out: Floats, a: Floats, b: Floats) -> None:
+    """out += a x b, (3,)."""
+    out[0] += a[1] * b[2] - a[2] * b[1]
+    out[1] += a[2] * b[0] - a[0] * b[2]
+    out[2] += a[0] * b[1] - a[1] * b[0]
+
+
+@compiled
 def dot(a: Floats, b: Floats) -> float:
     """a . b of (3,) vectors."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -71,6 +79,13 @@ def turn(m: Floats, v: Floats) -> Floats:
     for i in range(3):
         out[i] = m[i, 0] * v[0] + m[i, 1] * v[1] + m[i, 2] * v[2]
     return out
+
+
+@compiled
+def add_turned(out: Floats, m: Floats, v: Floats) -> None:
+    """out += m v."""
+    for i in range(3):
+        out[i] += m[i, 0] * v[0] + m[i, 1] * v[1] + m[i, 2] * v[2]
 
 
 @compiled
@@ -131,6 +146,18 @@ def turn_to(a: Floats, b: Floats) -> tuple[float, float, float]:
     x = a[0] * b[1] - a[1] * b[0] - a[2] * b[3] + a[3] * b[2]
     y = a[0] * b[2] + a[1] * b[3] - a[2] * b[0] - a[3] * b[1]
     z = a[0] * b[3] - a[1] * b[2] + a[2] * b[1] - a[3] * b[0]
+    sine = math.sqrt(x * x + y * y + z * z + 1e-60)
+    scale = 2.0 * math.atan2(sine, abs(w)) / (sine if w >= 0.0 else -sine)
+    return x * scale, y * scale, z * scale
+
+
+@compiled
+def turn_by(a: Floats, b: Floats) -> tuple[float, float, float]:
+    """log(b conjugate(a)): the rotation vector of `turn_to` in the frame in which both orientations are given; makes no arrays."""
+    w = b[0] * a[0] + b[1] * a[1] + b[2] * a[2] + b[3] * a[3]
+    x = -b[0] * a[1] + b[1] * a[0] - b[2] * a[3] + b[3] * a[2]
+    y = -b[0] * a[2] + b[1] * a[3] + b[2] * a[0] - b[3] * a[1]
+    z = -b[0] * a[3] - b[1] * a[2] + b[2] * a[1] + b[3] * a[0]
     sine = math.sqrt(x * x + y * y + z * z + 1e-60)
     scale = 2.0 * math.atan2(sine, abs(w)) / (sine if w >= 0.0 else -sine)
     return x * scale, y * scale, z * scale

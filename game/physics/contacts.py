@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.skeleton import PART_COUNT
+from game.compiled import compiled
 
 Floats = NDArray[np.float64]
+Indices = NDArray[np.int32]
 
 FLOOR = -1
 
@@ -55,17 +57,36 @@ def _owner_rows(count: int) -> Floats:
     return np.vstack((np.zeros((1, count)), np.repeat(np.eye(count), PART_COUNT, axis=0)))
 
 
-def contact_forces(model: mj.MjModel, data: mj.MjData) -> ContactForces | None:
-    """All contacts of the step just taken, None where there are none; points are those of its start, where the forces acted."""
+def contact_forces(model: mj.MjModel, data: mj.MjData, wrench: Floats | None = None) -> ContactForces | None:
+    """All contacts of the step just taken, None where there are none; points are those of its start, where the forces acted.
+
+    wrench (n, 6): what mj_contactForce gives of them, where somebody has asked it already.
+    """
     count = data.ncon
     if count == 0:
         return None
+    if wrench is None:
+        wrench = np.empty((count, 6))
+        for i in range(count):
+            mj.mj_contactForce(model, data, i, wrench[i])
     contacts = data.contact
-    wrench = np.empty((count, 6))
-    for i in range(count):
-        mj.mj_contactForce(model, data, i, wrench[i])
-    frame = contacts.frame.reshape(-1, 3, 3)
-    force = (wrench[:, None, :3] @ frame)[:, 0, :]
-    return ContactForces(
-        contacts.pos.reshape(-1, 3), force, wrench, contacts.friction.reshape(-1, 5)[:, 0], model.geom_bodyid[contacts.geom]
-    )
+    point, force, friction, body = np.empty((count, 3)), np.empty((count, 3)), np.empty(count), np.empty((count, 2), np.int64)
+    _in_world(
+        contacts.pos, contacts.frame, contacts.friction, contacts.geom, model.geom_bodyid, wrench, point, force, friction, body
+    )  # fmt: skip
+    return ContactForces(point, force, wrench, friction, body)
+
+
+@compiled
+def _in_world(
+    place: Floats, frame: Floats, coefficients: Floats, geom: Indices, owner: Indices, wrench: Floats, point: Floats, force: Floats,
+    friction: Floats, body: NDArray[np.int64],
+) -> None:  # fmt: skip
+    """Fill the fields of `ContactForces` from MuJoCo's contacts: place (n, 3), frame (n, 9), coefficients (n, 5), geom (n, 2); owner of
+    each geom; wrench (n, 6)."""
+    for i in range(len(point)):
+        friction[i] = coefficients[i, 0]
+        body[i, 0], body[i, 1] = owner[geom[i, 0]], owner[geom[i, 1]]
+        for axis in range(3):
+            point[i, axis] = place[i, axis]
+            force[i, axis] = wrench[i, 0] * frame[i, axis] + wrench[i, 1] * frame[i, 3 + axis] + wrench[i, 2] * frame[i, 6 + axis]

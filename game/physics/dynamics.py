@@ -36,12 +36,13 @@ class BodyDynamics:
         self.joint_dofs = slice(DOF_COUNT * index + 6, DOF_COUNT * (index + 1))
         self.coordinates = slice(POSITION_COUNT * index, POSITION_COUNT * (index + 1))
         self.subtree_mass: Floats = np.array(model.body_subtreemass[self.bodies])
-        self._foot_half = plan.size[list(FEET)] / 2.0
+        self.foot_half: Floats = plan.size[list(FEET)] / 2.0
         # views: MuJoCo steps in place
         self._position, self._velocity = data.qpos[self.coordinates], data.qvel[self.dofs]
         self._turn, self._orientation = data.xmat[self.bodies].reshape(-1, 3, 3), data.xquat[self.bodies]
         self._joint, self._box_centre = data.xpos[self.bodies], data.xipos[self.bodies]
         self._subtree_com, self._gravity = data.subtree_com[self.bodies], model.opt.gravity
+        self._rotation = self._position[7:].reshape(-1, 4)
         self._sparse_mass = data.M, model.M_rownnz, model.M_rowadr, model.M_colind
         self.refresh()
 
@@ -80,7 +81,7 @@ class BodyDynamics:
     @property
     def joint_rotation(self) -> Floats:
         """(14, 4) child in parent frame."""
-        return self._position[7:].reshape(-1, 4).copy()
+        return self._rotation.copy()
 
     @property
     def equations(self) -> tuple[Floats, Floats]:
@@ -129,14 +130,14 @@ class BodyDynamics:
     def foot_corners(self) -> Floats:
         """(2, 8, 3) corners of the left and right foot box."""
         feet = list(FEET)
-        local = self._foot_half[:, None, :] * _CORNERS
+        local = self.foot_half[:, None, :] * _CORNERS
         return self.box_centre[feet][:, None, :] + local @ self.turn[feet].transpose(0, 2, 1)
 
     @property
     def foot_contact(self) -> tuple[bool, bool]:
         """Left, right foot: lowest corner below 4 mm."""
         if self._foot_contact is None:
-            self._foot_contact = feet_on_floor(self.turn, self.box_centre, self._foot_half)
+            self._foot_contact = feet_on_floor(self.turn, self.box_centre, self.foot_half)
         return self._foot_contact
 
     def com_height(self) -> float:
@@ -150,13 +151,17 @@ def lowest_corner(turn: Floats, centre: Floats, half: Floats) -> float:
 
 
 @compiled
+def lowest_corners(turn: Floats, box_centre: Floats, half: Floats) -> tuple[float, float]:
+    """Height (m) of the lowest corner of the left and of the right foot; turn (15, 3, 3), box_centre (15, 3), half (2, 3) m."""
+    left, right = FEET
+    return lowest_corner(turn[left], box_centre[left], half[0]), lowest_corner(turn[right], box_centre[right], half[1])
+
+
+@compiled
 def feet_on_floor(turn: Floats, box_centre: Floats, half: Floats) -> tuple[bool, bool]:
     """Left, right: lowest corner of the foot below 4 mm; turn (15, 3, 3), box_centre (15, 3), half (2, 3) m."""
-    left, right = FEET
-    return (
-        lowest_corner(turn[left], box_centre[left], half[0]) < CONTACT_HEIGHT_M,
-        lowest_corner(turn[right], box_centre[right], half[1]) < CONTACT_HEIGHT_M,
-    )
+    left, right = lowest_corners(turn, box_centre, half)
+    return left < CONTACT_HEIGHT_M, right < CONTACT_HEIGHT_M
 
 
 @compiled
@@ -175,16 +180,22 @@ def dense_mass(mass: Floats, row_count: Indices, row_start: Indices, column: Ind
 @compiled
 def mean_velocity(velocity: Floats, turn: Floats, joint: Floats, box_centre: Floats, mass: Floats) -> Floats:
     """(3,) m/s of the centre of mass: the mean of the parts' velocities by mass; velocity (48,), mass (15,), the rest as `BodyDynamics`."""
-    spin, at_joint = np.empty((PART_COUNT, 3)), np.empty((PART_COUNT, 3))
-    out, total = np.zeros(3), 0.0
+    spin, at_joint = np.zeros((PART_COUNT, 3)), np.empty((PART_COUNT, 3))
+    out, arm, at_centre, total = np.zeros(3), np.empty(3), np.empty(3), 0.0
+    at_joint[0] = velocity[:3]
     for part in range(PART_COUNT):
-        own = one.turn(turn[part], velocity[3 + 3 * part : 6 + 3 * part])
-        if part == 0:
-            spin[0], at_joint[0] = own, velocity[:3]
-        else:
-            parent = _PARENT[part]
-            spin[part] = spin[parent] + own
-            at_joint[part] = at_joint[parent] + one.cross(spin[parent], joint[part] - joint[parent])
-        out += mass[part] * (at_joint[part] + one.cross(spin[part], box_centre[part] - joint[part]))
+        parent = _PARENT[part]
+        if part > 0:
+            spin[part], at_joint[part] = spin[parent], at_joint[parent]
+            for axis in range(3):
+                arm[axis] = joint[part, axis] - joint[parent, axis]
+            one.add_cross(at_joint[part], spin[parent], arm)
+        one.add_turned(spin[part], turn[part], velocity[3 + 3 * part : 6 + 3 * part])
+        for axis in range(3):
+            arm[axis] = box_centre[part, axis] - joint[part, axis]
+        at_centre[:] = at_joint[part]
+        one.add_cross(at_centre, spin[part], arm)
+        for axis in range(3):
+            out[axis] += mass[part] * at_centre[axis]
         total += mass[part]
     return out / total

@@ -66,7 +66,7 @@ class HonestyMeter:
         """The present state is where the last step ended (after a stated placement or a roll-back)."""
         copy_state(self._position, self._velocity, self._end_position, self._end_velocity)
         self.ends += 1
-        self._contacts_read = False
+        self._contacts_read = self._wrenches_read = False
 
     def continues(self) -> bool:
         """True where the state is that in which the last step ended."""
@@ -98,7 +98,7 @@ class HonestyMeter:
             contacts.pos, contacts.frame, contacts.friction, contacts.geom, self._owner, self._wrench,
             self._pairs, self._residual, active and not pushes, self.unexplained_force_n, self.unexplained_torque_nm, found_sound,
         )  # fmt: skip
-        self._contacts_read = False
+        self._contacts_read, self._wrenches_read = False, active
         if excess != excess:
             return False
         self.ends += 1
@@ -125,7 +125,8 @@ class HonestyMeter:
     def contacts(self) -> ContactForces | None:
         """The contacts of the last step, None where there were none; read once a step, however often it is asked for."""
         if not self._contacts_read:
-            self._contacts, self._contacts_read = contact_forces(self._model, self._data), True
+            wrench = self._wrench[: self._data.ncon].copy() if self._wrenches_read else None
+            self._contacts, self._contacts_read = contact_forces(self._model, self._data, wrench), True
         return self._contacts
 
     @property

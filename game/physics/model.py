@@ -35,6 +35,9 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
     if len(plans) > 1:
         # a warm start is taken or refused for all characters at once: what one does would change the last bits of the others
         spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_WARMSTART
+    else:
+        # one body is one island, and looking for it takes a tenth of the step; of two, each is to be solved as if it were alone
+        spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_ISLAND
     if integrator == "explicit":
         spec.option.disableflags |= mj.mjtDisableBit.mjDSBL_EULERDAMP
     spec.worldbody.add_geom(

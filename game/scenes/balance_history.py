@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 from game import rotation_compiled as one
 from game.characters.body_plan import BodyPlan
-from game.characters.skeleton import ANKLES, FEET, JOINTS, WRISTS
+from game.characters.skeleton import ANKLES, JOINTS, WRISTS
 from game.characters.strength import joint_strength
 from game.compiled import compiled
 from game.control.whole_body.capture_point import capture_point, natural_frequency
-from game.physics.dynamics import BodyDynamics, lowest_corner
+from game.physics.dynamics import BodyDynamics, lowest_corners
 from game.report.tracking_error import in_heading
 from game.scenes.foot_loads import ground_loads
 from game.scenes.history import FRAMES_PER_SAMPLE, History
@@ -79,25 +79,23 @@ class BalanceHistory:
     def _row(self, simulation: Simulation, upright_s: float) -> Floats:
         self.look(simulation)
         body, target, plan = simulation.world.characters[self.index], simulation.fighters[self.index].target, self.plan
-        weight = body.subtree_mass[0] * body.gravity
-        row = np.empty(len(self.history.names))
-        row[:2] = self.loads[:2] / weight
-        row[2:4] = (math.nan, math.nan) if plan.loads_n is None else np.array(plan.loads_n) / weight
-        row[4] = _gap_cm(self.capture, plan.capture)
-        row[5] = _gap_cm(body.com, plan.com)
-        row[6:11] = following_errors(
+        weight = float(body.subtree_mass[0]) * body.gravity
+        left, right, *_ = self.loads.tolist()
+        planned = (math.nan, math.nan) if plan.loads_n is None else plan.loads_n
+        x, y, height = body.com.tolist()
+        following = following_errors(
             body.orientation[0], body.joint, body.joint_rotation, target.root_orientation, target.pose.joint, target.joint_rotation
         )
-        row[11] = self._most_torque
-        row[12:17] = body.com[2], target.com[2], body.com[0], body.com[1], upright_s
-        row[17:] = self._most_used
-        return row
+        return np.array((
+            left / weight, right / weight, planned[0] / weight, planned[1] / weight,
+            _gap_cm(self.capture, plan.capture), _gap_cm(body.com, plan.com), *following,
+            self._most_torque, height, target.com[2], x, y, upright_s, *self._most_used.tolist(),
+        ))  # fmt: skip
 
 
 def captured(body: BodyDynamics) -> Floats:
     """(2,) m, the capture point of a body above its lower foot."""
-    half = body.plan.size[FEET[0]] / 2.0
-    floor = min(lowest_corner(body.turn[foot], body.box_centre[foot], half) for foot in FEET)
+    floor = min(lowest_corners(body.turn, body.box_centre, body.foot_half))
     return capture_point(body.com, body.com_velocity, natural_frequency(body.gravity, float(body.com[2]) - floor))
 
 
@@ -108,25 +106,24 @@ def _gap_cm(place: Floats, wanted: Floats | None) -> float:
 @compiled
 def following_errors(
     root: Floats, joint: Floats, rotation: Floats, wanted_root: Floats, wanted_joint: Floats, wanted_rotation: Floats
-) -> Floats:
-    """(5,): farther wrist and ankle from the target's, relative to the root and in its heading (cm); the pelvis from the target's,
+) -> tuple[float, float, float, float, float]:
+    """Farther wrist and ankle from the target's, relative to the root and in its heading (cm); the pelvis from the target's,
     headings apart (degrees); mean and largest angle about any axis of the joints, parent frame (rad).
 
     root (4,), joint (15, 3), rotation (14, 4) of the character; the wanted ones of the target.
     """
-    out = np.zeros(5)
+    hand = foot = 0.0
     own = in_heading(joint, joint[0], root)
     wanted = in_heading(wanted_joint, wanted_joint[0], wanted_root)
     for side in range(2):
-        out[0] = max(out[0], 100.0 * one.length(own[_HANDS[side]] - wanted[_HANDS[side]]))
-        out[1] = max(out[1], 100.0 * one.length(own[_ANKLE_PARTS[side]] - wanted[_ANKLE_PARTS[side]]))
+        hand = max(hand, 100.0 * one.length(own[_HANDS[side]] - wanted[_HANDS[side]]))
+        foot = max(foot, 100.0 * one.length(own[_ANKLE_PARTS[side]] - wanted[_ANKLE_PARTS[side]]))
     heading = one.about_z(one.yaw(root) - one.yaw(wanted_root))
     x, y, z = one.turn_to(root, one.multiply(heading, wanted_root))
-    out[2] = math.degrees(math.sqrt(x * x + y * y + z * z))
-    total = 0.0
+    tilt = math.degrees(math.sqrt(x * x + y * y + z * z))
+    total = worst = 0.0
     for j in range(len(rotation)):
         for angle in one.turn_to(rotation[j], wanted_rotation[j]):
             total += abs(angle)
-            out[4] = max(out[4], abs(angle))
-    out[3] = total / (3 * len(rotation))
-    return out
+            worst = max(worst, abs(angle))
+    return hand, foot, tilt, total / (3 * len(rotation)), worst

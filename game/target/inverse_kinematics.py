@@ -17,15 +17,51 @@ SDLS_MAX_ANGLE_RAD = np.pi / 4.0
 """gamma_max of Buss & Kim 2005: the largest turn of any axis in one step towards the end-effectors' targets."""
 
 
+@compiled
 def damped_least_squares(jacobian: Floats, error: Floats, pose_error: Floats, damping: float, pose_weight: float) -> Floats:
     """Joint increments (n,) rad for end-effector errors (m,) m and pose errors phi (n,) rad, Eq. 3.5.
 
     J+ e + w (phi - J+ J phi) with J+ = J^T (J J^T + lambda^2 I)^-1 of Eq. 3.3; neither J+ nor the projector is formed.
     """
-    weighted = pose_weight * pose_error
-    gram = jacobian @ jacobian.T
-    gram.flat[:: gram.shape[0] + 1] += damping * damping + SINGULAR
-    return weighted + jacobian.T @ np.linalg.solve(gram, error - jacobian @ weighted)
+    rows, columns = jacobian.shape
+    step, left = pose_weight * pose_error, error.copy()
+    gram = np.zeros((rows, rows))
+    for i in range(rows):
+        for k in range(columns):
+            left[i] -= jacobian[i, k] * step[k]
+    for k in range(columns):
+        # an axis moves few of the end-effectors: those down its own limb
+        for i in range(rows):
+            moved = jacobian[i, k]
+            if moved != 0.0:
+                for j in range(i + 1):
+                    gram[i, j] += moved * jacobian[j, k]
+    for i in range(rows):
+        gram[i, i] += damping * damping + SINGULAR
+    solve_definite(gram, left)
+    for i in range(rows):
+        for k in range(columns):
+            step[k] += jacobian[i, k] * left[i]
+    return step
+
+
+@compiled
+def solve_definite(a: Floats, x: Floats) -> None:
+    """Turn x (n,) into the solution y of a y = x, a (n, n) symmetric and positive definite, by Cholesky; the lower triangle becomes L."""
+    count = len(x)
+    for i in range(count):
+        for j in range(i + 1):
+            total = a[i, j]
+            for k in range(j):
+                total -= a[i, k] * a[j, k]
+            a[i, j] = math.sqrt(max(total, 1e-300)) if i == j else total / a[j, j]
+        for k in range(i):
+            x[i] -= a[i, k] * x[k]
+        x[i] /= a[i, i]
+    for i in range(count - 1, -1, -1):
+        x[i] /= a[i, i]
+        for k in range(i):
+            x[k] -= a[i, k] * x[i]
 
 
 def pseudoinverse(jacobian: Floats, error: Floats, pose_error: Floats, damping: float, pose_weight: float) -> Floats:

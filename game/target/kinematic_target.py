@@ -162,7 +162,7 @@ def _turned_in_parent(before: Floats, after: Floats) -> Floats:
     """(3 n,) rotation vectors from `before` to `after`, (n, 4), in the parent frame."""
     out = np.empty(3 * len(before))
     for j in range(len(before)):
-        out[3 * j : 3 * j + 3] = one.log(one.multiply(after[j], one.conjugate(before[j])))
+        out[3 * j], out[3 * j + 1], out[3 * j + 2] = one.turn_by(before[j], after[j])
     return out
 
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from game.compiled import compiled
 from game.control.whole_body.player_stance import Overlay, laid_over, turned_over
-from game.control.whole_body.support_polygon import distance_inside, nearest_inside
+from game.control.whole_body.support_polygon import distance_inside, hull_of_soles, nearest_inside
 
 Floats = NDArray[np.float64]
 
@@ -33,6 +33,15 @@ def predicted(xi: Floats, pivot: Floats, frequency: float, time_s: float) -> Flo
 def escape(hull: Floats, xi: Floats, frequency: float, time_s: float) -> tuple[float, float]:
     """m that xi lies outside the hull, now and in `time_s`; negative inside."""
     return -distance_inside(hull, xi), -distance_inside(hull, predicted(xi, nearest_inside(hull, xi), frequency, time_s))
+
+
+@compiled
+def escape_of_soles(
+    left: Floats, left_yaw: float, right: Floats, right_yaw: float, use_left: bool, use_right: bool, half_length: float, half_width: float,
+    xi: Floats, frequency: float, time_s: float,
+) -> tuple[float, float]:  # fmt: skip
+    """`escape` from the `hull_of_soles`."""
+    return escape(hull_of_soles(left, left_yaw, right, right_yaw, use_left, use_right, half_length, half_width), xi, frequency, time_s)
 
 
 @compiled

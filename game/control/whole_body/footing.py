@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from game.control.whole_body.capture_point import escape, predicted
+from game.control.whole_body.capture_point import escape_of_soles, predicted
 from game.control.whole_body.contact_states import FootState, Phase
 from game.control.whole_body.sole import Sole, polygon
 from game.control.whole_body.support_polygon import distance_inside, nearest_inside, sole_corners
@@ -149,7 +149,10 @@ class Footing:
         if not standing:
             return
         left, right = (foot.stands or self._comes_down(side, soles, wish) for side, foot in enumerate(self.feet))
-        outside, ahead = escape(polygon(soles, left, right, 0.0), xi, frequency, LOOK_AHEAD_S)
+        a, b = soles
+        outside, ahead = escape_of_soles(
+            a.centre, a.yaw, b.centre, b.yaw, left, right, a.half_length, a.half_width, xi, frequency, LOOK_AHEAD_S
+        )
         self.outside_s = self.outside_s + dt if outside > 0.0 else 0.0
         if not (outside > OUT_NOW_M or ahead > OUT_SOON_M or self.outside_s > OUT_LONG_S):
             self._retarget(soles, xi, frequency, wish)

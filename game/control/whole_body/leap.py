@@ -68,17 +68,18 @@ class ComHeight:
     def acceleration(self, motion: Motion, window: MotionWindow, player: PlayerStance, footing: Footing, body: BodyState) -> float:
         """m/s^2 upwards that the COM is asked for."""
         height, speed = float(motion.place[3, 2]) - player.floor_z, float(body.com_velocity[2])
+        com_height, rise = float(body.com[2]), float(motion.velocity[3, 2])
         if footing.landed_s < LANDING_S:
-            self._landing = (self._landing or footing.landed_s < 0.02) and height > body.com[2]
+            self._landing = (self._landing or footing.landed_s < 0.02) and height > com_height
             if self._landing:
                 # not after the player up into the air again: soften the landing until he comes down too
                 return min(max(-12.0 * speed, -5.0), 9.0)
-        wanted = 100.0 * (height - body.com[2]) + 20.0 * (motion.velocity[3, 2] - speed) + motion.acceleration[3, 2]
-        leap = leap_speed(window, player, body) if motion.velocity[3, 2] > 0.3 else 0.0
+        wanted = 100.0 * (height - com_height) + 20.0 * (rise - speed) + float(motion.acceleration[3, 2])
+        leap = leap_speed(window, player, body) if rise > 0.3 else 0.0
         if leap > 0.0:
             wanted = max(wanted, 30.0 * (leap - speed))
         else:
-            # legs that run out of length while the body still rises would throw it off the floor
+            # legs that run out of length while the hips still rise would throw the body off the floor
             room = min((rise_left(body, side) for side in range(2) if footing.feet[side].stands), default=0.0)
             excess = float(body.velocity[2]) - math.sqrt(2.0 * BRAKE * max(room, 0.0))
             if excess > 0.0:

@@ -56,23 +56,24 @@ def sole_motions(left: Floats, right: Floats, joint: Floats, turn: Floats, veloc
 @compiled
 def sole_motion(side: int, sole: Floats, joint: Floats, turn: Floats, velocity: Floats) -> tuple[Floats, Floats]:
     """Twist (6,) of the sole and its acceleration (6,) at zero generalised acceleration; linear, angular, world frame."""
-    spin = one.turn(turn[0], velocity[3:6])
-    spin_rate = np.zeros(3)
-    linear = velocity[0:3].copy()
-    acceleration = np.zeros(3)
+    twist, bias = np.zeros(6), np.zeros(6)
+    linear, spin, acceleration, spin_rate = twist[:3], twist[3:], bias[:3], bias[3:]
+    arm, swept, relative = np.empty(3), np.empty(3), np.empty(3)
+    linear[:] = velocity[:3]
+    one.add_turned(spin, turn[0], velocity[3:6])
     last = 0
     for k in range(4):
-        here = sole if k == 3 else joint[LEG_PARTS[side, k]]
-        arm = here - joint[last]
-        swept = one.cross(spin, arm)
-        linear = linear + swept
-        acceleration = acceleration + one.cross(spin_rate, arm) + one.cross(spin, swept)
+        for axis in range(3):
+            arm[axis] = (sole[axis] if k == 3 else joint[LEG_PARTS[side, k], axis]) - joint[last, axis]
+        swept[:] = 0.0
+        one.add_cross(swept, spin, arm)
+        linear += swept
+        one.add_cross(acceleration, spin_rate, arm)
+        one.add_cross(acceleration, spin, swept)
         if k < 3:
-            part = LEG_PARTS[side, k]
-            relative = one.turn(turn[part], velocity[3 + 3 * part : 6 + 3 * part])
-            spin_rate = spin_rate + one.cross(spin, relative)
-            spin = spin + relative
-            last = part
-    twist, bias = np.empty(6), np.empty(6)
-    twist[:3], twist[3:], bias[:3], bias[3:] = linear, spin, acceleration, spin_rate
+            last = LEG_PARTS[side, k]
+            relative[:] = 0.0
+            one.add_turned(relative, turn[last], velocity[3 + 3 * last : 6 + 3 * last])
+            one.add_cross(spin_rate, spin, relative)
+            spin += relative
     return twist, bias

@@ -57,7 +57,7 @@ class MotionWindow:
     def __init__(self) -> None:
         self._count = 0
         self._times, self._turns, self._places = np.zeros(FRAMES), np.zeros((FRAMES, _TURNS, 4)), np.zeros((FRAMES, _PLACES, 3))
-        self._fit: list[Floats] = []
+        self._middle, self._turn_terms, self._place_terms = np.zeros((_TURNS, 4)), np.zeros((_TURNS, 3, 3)), np.zeros((_PLACES, 3, 3))
         self._com_velocity = np.zeros(3)
         self._rise = (0.0, 0.0)
 
@@ -73,21 +73,20 @@ class MotionWindow:
     def add(self, target: KinematicTarget, span_s: float) -> None:
         """Take a frame in; frames older than `span_s` before it are forgotten, but three are always kept where there are three."""
         pose = target.pose
-        self._count, *fit, self._com_velocity, self._rise = _take(
+        self._count, self._rise = _take(
             self._times, self._turns, self._places, self._count, span_s, target.time_s, target.joint_rotation, target.root_orientation,
-            pose.orientation, target.root_position, pose.joint, target.com,
+            pose.orientation, target.root_position, pose.joint, target.com, self._middle, self._turn_terms, self._place_terms,
+            self._com_velocity,
         )  # fmt: skip
-        self._fit = fit
 
     def moment(self, time_s: float) -> Motion:
         """The motion at `time_s`, held within the window."""
-        middle, turn_terms, place_terms = self._fit
-        last = self._count - 1
-        since = min(max(time_s, self._times[0]), self._times[last] + 0.5 / 30.0) - self._times[last // 2]
+        last, times = self._count - 1, self._times
+        since = min(max(time_s, float(times[0])), float(times[last]) + 0.5 / 30.0) - float(times[last // 2])
         # made here and filled there: handing arrays out of compiled code costs more than this
-        motion = (*np.empty((2, _TURNS, 3)), *np.empty((3, _PLACES, 3)))
-        turn, (spin, spin_rate, place, velocity, acceleration) = np.empty((_TURNS, 4)), motion
-        _evaluate(middle, turn_terms, place_terms, since, turn, spin, spin_rate, place, velocity, acceleration)
+        turn, spin, spin_rate = np.empty((_TURNS, 4)), np.empty((_TURNS, 3)), np.empty((_TURNS, 3))
+        place, velocity, acceleration = np.empty((_PLACES, 3)), np.empty((_PLACES, 3)), np.empty((_PLACES, 3))
+        _evaluate(self._middle, self._turn_terms, self._place_terms, since, turn, spin, spin_rate, place, velocity, acceleration)
         return Motion(turn, spin, spin_rate, place, velocity, acceleration)
 
     def com_velocity(self) -> Floats:
@@ -103,9 +102,10 @@ class MotionWindow:
 @compiled
 def _take(
     times: Floats, turns: Floats, places: Floats, count: int, span_s: float, time_s: float, joint_rotation: Floats,
-    root_orientation: Floats, orientation: Floats, root_position: Floats, joint: Floats, com: Floats,
-) -> tuple[int, Floats, Floats, Floats, Floats, tuple[float, float]]:  # fmt: skip
-    """Put a frame behind the `count` first ones, drop the old ones from the front; gives how many there are, `_fit`, `_slope` and the
+    root_orientation: Floats, orientation: Floats, root_position: Floats, joint: Floats, com: Floats, middle: Floats, turn_terms: Floats,
+    place_terms: Floats, com_velocity: Floats,
+) -> tuple[int, tuple[float, float]]:  # fmt: skip
+    """Put a frame behind the `count` first ones, drop the old ones from the front, `_fit` and `_slope`; gives how many there are and the
     COM's rise in the newest."""
     if count > 0 and time_s <= times[count - 1]:
         count = 0
@@ -122,10 +122,11 @@ def _take(
         turns[count, JOINT_COUNT + 1 + side] = orientation[FEET[side]]
         places[count, 1 + side] = joint[FEET[side]]
     count += 1
-    middle, turn_terms, place_terms = _fit(times[:count], turns[:count], places[:count])
+    _fit(times[:count], turns[:count], places[:count], middle, turn_terms, place_terms)
+    com_velocity[:] = _slope(times[:count], places[:count])
     since, com = times[count - 1] - times[(count - 1) // 2], place_terms[_COM]
     rise = com[0, 2] + since * com[1, 2] + 0.5 * since * since * com[2, 2], com[1, 2] + since * com[2, 2]
-    return count, middle, turn_terms, place_terms, _slope(times[:count], places[:count]), rise
+    return count, rise
 
 
 @compiled
@@ -181,25 +182,25 @@ def _solve_quadratic(times: Floats) -> Floats:
 
 
 @compiled
-def _fit(times: Floats, turns: Floats, places: Floats) -> tuple[Floats, Floats, Floats]:
-    """Middle turns (n, 4); terms of the tangent rotation (n, 3, 3) and of the places (m, 3, 3): order, axis."""
+def _fit(times: Floats, turns: Floats, places: Floats, middle: Floats, turn_terms: Floats, place_terms: Floats) -> None:
+    """Fill middle turns (n, 4); terms of the tangent rotation (n, 3, 3) and of the places (m, 3, 3): order, axis."""
     count = len(times)
     middle_at = (count - 1) // 2
     solve = _solve_quadratic(times - times[middle_at])
-    middle = turns[middle_at].copy()
-    turn_terms = np.zeros((turns.shape[1], 3, 3))
-    place_terms = np.zeros((places.shape[1], 3, 3))
+    middle[:] = turns[middle_at]
+    turn_terms[:] = 0.0
+    place_terms[:] = 0.0
     for k in range(count):
         for n in range(turns.shape[1]):
-            away = one.log(one.multiply(one.conjugate(middle[n]), turns[k, n]))
+            x, y, z = one.turn_to(middle[n], turns[k, n])
             for order in range(3):
-                for axis in range(3):
-                    turn_terms[n, order, axis] += solve[order, k] * away[axis]
+                turn_terms[n, order, 0] += solve[order, k] * x
+                turn_terms[n, order, 1] += solve[order, k] * y
+                turn_terms[n, order, 2] += solve[order, k] * z
         for n in range(places.shape[1]):
             for order in range(3):
                 for axis in range(3):
                     place_terms[n, order, axis] += solve[order, k] * places[k, n, axis]
-    return middle, turn_terms, place_terms
 
 
 @compiled
