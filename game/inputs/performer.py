@@ -6,6 +6,7 @@ The sensor stands level, 0.9 m above the floor, 2.5 m from the person (thesis 4.
     sensor  x = -Y,  y = Z - 0.9,  z = 2.5 - X
 """
 
+import math
 from collections.abc import Sequence
 from functools import cached_property
 
@@ -55,9 +56,9 @@ class Performer:
     def length_s(self) -> float:
         return self._motion.length_s
 
-    @property
+    @cached_property
     def _last(self) -> int:
-        return int(np.floor(self.length_s * FRAMES_PER_S + 1e-9))
+        return math.floor(self.length_s * FRAMES_PER_S + 1e-9)
 
     @cached_property
     def _positions(self) -> Floats:
@@ -65,7 +66,7 @@ class Performer:
         return to_sensor(self._motion.joints(np.arange(self._last + 1) / FRAMES_PER_S))
 
     def poll(self, until_s: float) -> list[BodyFrame]:
-        last = min(int(np.floor(until_s * FRAMES_PER_S + 1e-9)), self._last)
+        last = min(math.floor(until_s * FRAMES_PER_S + 1e-9), self._last)
         due = range(self._next, last + 1)
         self._next = max(self._next, last + 1)
         return [BodyFrame(k / FRAMES_PER_S, self._positions[k].copy(), np.ones(JOINT_COUNT), self._player, FLOOR) for k in due]

@@ -10,6 +10,7 @@ from typing import Final
 import numpy as np
 
 from game.compiled import compiled
+from game.definite_system import solve_definite
 from game.inputs.sensor_noise_table import BONE_CV
 from kinect.body import BONES, JOINT_COUNT, Floats, Joint
 
@@ -92,6 +93,14 @@ def _changes(phases: Floats, directions: Floats, lengths: Floats, scale: float) 
 
 
 @compiled
+def _displacement(phases: Floats, directions: Floats, lengths: Floats, scale: float) -> Floats:
+    """(20, 3) m: the displacement that changes the bones as the phases of their waves say."""
+    gram, pull = _changes(phases, directions, lengths, scale)
+    solve_definite(gram, pull)
+    return _displaced(pull, directions)
+
+
+@compiled
 def _displaced(pull: Floats, directions: Floats) -> Floats:
     """(20, 3) m: what the pulls (19,) along the bones do to their two ends."""
     out = np.zeros((JOINT_COUNT, 3))
@@ -124,6 +133,4 @@ class BoneLengthBias:
         To first order along each bone u_b . (d_child - d_parent) = share_b length_b: a weighted minimum-norm solution.
         """
         directions, lengths = _directions_and_lengths(positions)
-        gram, change = _changes(self._waves @ directions.reshape(-1) + self._phases, directions, lengths, scale)
-        pull: Floats = np.linalg.solve(gram, change).astype(np.float64, copy=False)
-        return _displaced(pull, directions)
+        return _displacement(self._waves @ directions.reshape(-1) + self._phases, directions, lengths, scale)

@@ -13,7 +13,7 @@ Runs = NDArray[np.int64]
 
 # a run of inferred frames is a flicker of one, a glance away, or a limb that stays hidden: (probability, mean frames)
 _RUNS: Final = ((0.55, 1.0), (0.37, 7.0), (0.08, 85.0))
-_KINDS: Final = tuple(share for share, _ in _RUNS)
+_KINDS: Final[Floats] = np.cumsum([share for share, _ in _RUNS])
 _MEAN_RUN: Final = sum(share * mean for share, mean in _RUNS)
 _START: Final[Floats] = INFERRED_SHARE / ((1.0 - INFERRED_SHARE) * _MEAN_RUN)
 # an inferred joint starts beside its place and drifts away from it; where it ends is log-normal
@@ -43,9 +43,8 @@ class InferredRuns:
 
         `scale` up to 1 is the share of the real sensor's runs that happen; more than 1 adds none.
         """
-        start = (self._left < 0) & (self._rng.random(JOINT_COUNT) < _START)
-        _drift(self._left, self._reached)
-        if start.any():
+        start = np.empty(JOINT_COUNT, dtype=bool)
+        if _drift(self._left, self._reached, self._rng.random(JOINT_COUNT), start):
             for joint in np.flatnonzero(start).tolist():
                 self._begin(joint)
         shown, offset = np.empty(JOINT_COUNT, dtype=bool), np.empty((JOINT_COUNT, 3))
@@ -54,7 +53,7 @@ class InferredRuns:
 
     def _begin(self, joint: int) -> None:
         rng = self._rng
-        kind = rng.choice(len(_RUNS), p=_KINDS)
+        kind = int(np.searchsorted(_KINDS, rng.random(), side="right"))
         self._left[joint] = rng.geometric(1.0 / _RUNS[kind][1])
         way = rng.standard_normal(3)
         astray = min(_ASTRAY_MEDIAN_M * np.exp(_ASTRAY_SPREAD * rng.standard_normal()), _ASTRAY_LARGEST_M)
@@ -64,11 +63,18 @@ class InferredRuns:
 
 
 @compiled
-def _drift(left: Runs, reached: Floats) -> None:
-    """One frame on: nothing is left below 0, and every joint nears the end of its way."""
+def _drift(left: Runs, reached: Floats, draw: Floats, start: NDArray[np.bool_]) -> bool:
+    """One frame on: nothing is left below 0, and every joint nears the end of its way.
+
+    Notes where the draws (20,) start a run; tells whether one does.
+    """
+    found = False
     for joint in range(len(left)):
+        start[joint] = left[joint] < 0 and draw[joint] < _START[joint]
+        found = found or start[joint]
         left[joint] = max(left[joint], 0)
         reached[joint] = 1.0 - _DRIFT * (1.0 - reached[joint])
+    return found
 
 
 @compiled

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiled import compiled
+from game.definite_system import solve_definite
 
 Floats = NDArray[np.float64]
 
@@ -43,25 +44,6 @@ def damped_least_squares(jacobian: Floats, error: Floats, pose_error: Floats, da
         for k in range(columns):
             step[k] += jacobian[i, k] * left[i]
     return step
-
-
-@compiled
-def solve_definite(a: Floats, x: Floats) -> None:
-    """Turn x (n,) into the solution y of a y = x, a (n, n) symmetric and positive definite, by Cholesky; the lower triangle becomes L."""
-    count = len(x)
-    for i in range(count):
-        for j in range(i + 1):
-            total = a[i, j]
-            for k in range(j):
-                total -= a[i, k] * a[j, k]
-            a[i, j] = math.sqrt(max(total, 1e-300)) if i == j else total / a[j, j]
-        for k in range(i):
-            x[i] -= a[i, k] * x[k]
-        x[i] /= a[i, i]
-    for i in range(count - 1, -1, -1):
-        x[i] /= a[i, i]
-        for k in range(i):
-            x[k] -= a[i, k] * x[i]
 
 
 def pseudoinverse(jacobian: Floats, error: Floats, pose_error: Floats, damping: float, pose_weight: float) -> Floats:
