@@ -1,9 +1,12 @@
 """From posture channels and the pelvis path to the twenty joints: forward kinematics and the two-bone leg."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from game import rotation_compiled as one
+from game.compiled import compiled
 from game.inputs.performance import person
 from game.inputs.performance.script import ANKLE_X_M, SIDES, STANCE_Y_M, TOE_OUT_DEG, Side
 from kinect.body import JOINT_COUNT, Floats, Joint
@@ -65,16 +68,25 @@ class Figure:
         return world
 
 
+@compiled
 def _knee(hip: Floats, ankle: Floats, forward: Floats) -> Floats:
     """(T, 3) knee of a leg of constant bone lengths, bent towards forward."""
-    line = ankle - hip
-    reach = np.linalg.norm(line, axis=-1, keepdims=True)
-    along = line / reach
-    up_thigh = (reach**2 + person.THIGH_M**2 - person.SHIN_M**2) / (2.0 * reach)
-    off_line = np.sqrt(np.maximum(person.THIGH_M**2 - up_thigh**2, 0.0))
-    across = forward - np.sum(forward * along, axis=-1, keepdims=True) * along
-    across /= np.linalg.norm(across, axis=-1, keepdims=True)
-    return hip + up_thigh * along + off_line * across
+    out, along, across = np.empty((len(hip), 3)), np.empty(3), np.empty(3)
+    for t in range(len(hip)):
+        for axis in range(3):
+            along[axis] = ankle[t, axis] - hip[t, axis]
+        reach = one.length(along)
+        up_thigh = (reach * reach + person.THIGH_M**2 - person.SHIN_M**2) / (2.0 * reach)
+        off_line = math.sqrt(max(person.THIGH_M**2 - up_thigh * up_thigh, 0.0))
+        for axis in range(3):
+            along[axis] /= reach
+        ahead = one.dot(forward[t], along)
+        for axis in range(3):
+            across[axis] = forward[t, axis] - ahead * along[axis]
+        size = one.length(across)
+        for axis in range(3):
+            out[t, axis] = hip[t, axis] + up_thigh * along[axis] + off_line * (across[axis] / size)
+    return out
 
 
 def pose_figure(channels: dict[str, Floats]) -> Figure:

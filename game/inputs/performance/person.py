@@ -88,6 +88,9 @@ def _weights() -> Floats:
 POINT_WEIGHTS: Final[Floats] = _weights()
 """(P, 20) each point mass as a weighted mean of joints."""
 
+_JOINT_SHARES: Final[Floats] = (POINT_MASSES_KG / MASS_KG) @ POINT_WEIGHTS
+"""(20,) of the whole mass, by joint."""
+
 
 def point_masses(joints: Floats) -> Floats:
     """(T, P, 3) positions of the point masses for (T, 20, 3) joints, metres, same frame."""
@@ -96,5 +99,4 @@ def point_masses(joints: Floats) -> Floats:
 
 def centre_of_mass(joints: Floats) -> Floats:
     """(T, 3) whole-body centre of mass for (T, 20, 3) joints, metres, same frame."""
-    share = POINT_MASSES_KG / MASS_KG
-    return np.tensordot(joints, share @ POINT_WEIGHTS, axes=(1, 0))
+    return np.tensordot(joints, _JOINT_SHARES, axes=(1, 0))
