@@ -124,7 +124,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("whole_body.capture_rate", 5.0, "how fast the capture point is brought to where it should be", 1.0, 20.0, "1/s"),
         Tunable("whole_body.pose_stiffness", 250.0, "acceleration of a joint per radian off its target", 20.0, 1000.0, "1/s^2"),
         Tunable("whole_body.pose_damping", 28.0, "acceleration of a joint against its velocity error", 2.0, 100.0, "1/s"),
-        Tunable("whole_body.pelvis_weight", 4.0, "weight of the pelvis's orientation among the tasks", 0.01, 100.0, log=True),
+        Tunable("whole_body.pelvis_weight", 15.0, "weight of the pelvis's orientation among the tasks", 0.01, 100.0, log=True),
         Tunable("whole_body.spin_weight", 1.0, "weight of keeping angular momentum small", 0.0, 30.0),
         Tunable("whole_body.strength", 2.0, "scale of the torque limits; 1 is a young man of the body's mass (game/characters/strength.py), enough for the performers; what a sensor sees asks for more", 0.2, 5.0),
         Tunable("whole_body.hold", 0.2, "share of a joint's inertia that damps it towards the planned velocity between control ticks", 0.0, 1.0),

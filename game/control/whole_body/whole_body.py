@@ -62,7 +62,7 @@ _PRICE = 1e-6 * np.tile([1.0, 1.0, 1.0, 21.0, 6.0, 21.0], 2)
 def _joint_weight(standing: tuple[int, ...]) -> Floats:
     """(42,) arms, spine and neck, legs that stand, legs that swing."""
     out = np.full(JOINT_COUNT, 0.6)
-    out[:2] = 1.0
+    out[:2] = 2.0
     out[8:11] = 0.25 if 0 in standing else 0.3
     out[11:14] = 0.25 if 1 in standing else 0.3
     return np.repeat(out, 3)
