@@ -33,6 +33,9 @@ HIPS_SHARE = 0.18
 MOST_SLANT_RAD = 0.4
 """Between the line of the hips and square across the lower back."""
 
+LEAST_TAKEN = 0.02
+"""A line that is not seen still tells in the long run: so much of the way to it is gone in each frame."""
+
 _SHOULDERS = (Joint.SHOULDER_LEFT, Joint.SHOULDER_RIGHT)
 _ELBOWS = (Joint.ELBOW_LEFT, Joint.ELBOW_RIGHT)
 _LINES = np.array((HIPS, _SHOULDERS))
@@ -58,28 +61,29 @@ class BodyHeading:
 @compiled
 def place_lines(joints: Floats, last: Floats, leg_m: float, most_rad: float, twist_rad: float) -> None:
     """`BodyHeading.apply`; last (2,): the headings of pelvis and shoulders in the frame before, NaN in the first, brought up to date."""
-    found, sure = np.empty(2), np.empty(2)
+    found, sure, taken = np.empty(2), np.empty(2), np.empty(2)
     for line in range(2):
         across = joints[_LINES[line, 0]] - joints[_LINES[line, 1]]
         found[line] = math.atan2(-across[0], across[1])
         low, high = SHORT_SHARE[line]
         sure[line] = smooth_step((math.hypot(across[0], across[1]) / leg_m - low) / (high - low))
+        taken[line] = max(sure[line], LEAST_TAKEN)
         if abs(found[line]) > FARTHEST_RAD:
-            sure[line] = 0.0
+            sure[line] = taken[line] = 0.0
     if math.isnan(last[0]):
         best = found[0] if sure[0] >= sure[1] else found[1]
         last[:] = best if max(sure[0], sure[1]) > 0.0 else 0.0
         most_rad = math.pi
-    _follow(found, sure, last, most_rad, twist_rad)
+    _follow(found, taken, last, most_rad, twist_rad)
     _place_hips(joints, last[0], sure[0], leg_m)
     if last[1] != found[1]:
         _turn_shoulders(joints, last[1] - found[1])
 
 
 @compiled
-def _follow(found: Floats, sure: Floats, last: Floats, most_rad: float, twist_rad: float) -> None:
-    """Bring the headings `last` (2,) on towards the ones `found` (2,), as far as they are `sure` (2,)."""
-    hips, shoulders = _between(last[0], found[0], sure[0]), _between(last[1], found[1], sure[1])
+def _follow(found: Floats, taken: Floats, last: Floats, most_rad: float, twist_rad: float) -> None:
+    """Bring the headings `last` (2,) on towards the ones `found` (2,), by the shares `taken` (2,)."""
+    hips, shoulders = _between(last[0], found[0], taken[0]), _between(last[1], found[1], taken[1])
     believed = hips
     if abs(shoulders - hips) > twist_rad:
         most_rad *= DOUBTED_SHARE

@@ -31,7 +31,7 @@ Floats = NDArray[np.float64]
 GOAL_TIME_S = 0.04
 """Low-pass of where the capture point should be."""
 
-GOAL_MARGIN_M, GOAL_ENDS_M = 0.02, 0.06
+GOAL_MARGIN_M, GOAL_ENDS_M = 0.045, 0.035
 """The capture point is wanted this far inside the soles, and this much more from heels and toes: there is room left to push with."""
 
 CALM_M = 0.05
