@@ -44,11 +44,14 @@ class RestingJitter:
     def __init__(self, rng: np.random.Generator) -> None:
         self._rng = rng
         self._past = np.zeros((JOINT_COUNT, 3)), np.zeros((JOINT_COUNT, 3))
-        for _ in range(90):  # three seconds reach the stationary spread
-            self._wander()
+        self._settled = False
 
     def step(self) -> Floats:
         """The next displacement, (20, 3) metres at scale 1."""
+        if not self._settled:  # not before: most inputs are never shaken
+            self._settled = True
+            for _ in range(90):  # three seconds reach the stationary spread
+                self._wander()
         mixed = _ALONG_BONES @ self._wander()
         return _wander_and_jitter(mixed, self._rng.random(JOINT_COUNT), self._rng.standard_normal((JOINT_COUNT, 3)))
 
