@@ -152,6 +152,15 @@ def turn_to(a: Floats, b: Floats) -> tuple[float, float, float]:
 
 
 @compiled
+def turns_to(before: Floats, after: Floats) -> Floats:
+    """(3 n,) `turn_to` from each of `before` (n, 4) to each of `after` (n, 4)."""
+    out = np.empty(3 * len(before))
+    for j in range(len(before)):
+        out[3 * j], out[3 * j + 1], out[3 * j + 2] = turn_to(before[j], after[j])
+    return out
+
+
+@compiled
 def turn_by(a: Floats, b: Floats) -> tuple[float, float, float]:
     """log(b conjugate(a)): the rotation vector of `turn_to` in the frame in which both orientations are given; makes no arrays."""
     w = b[0] * a[0] + b[1] * a[1] + b[2] * a[2] + b[3] * a[3]

@@ -61,14 +61,15 @@ def record(sensor: KinectSensor, recorder: DepthRecorder, seconds: float, ended:
     The time begins with the first picture; without one it ends after `seconds` too, but not before PATIENCE_S.
     """
     stream, clock_of = SensorDepth(sensor), SteadyTicks()
-    began, told_s, told, frames = time.monotonic(), 0.0, "", 0
+    began, told_s, told, frames, first_s = time.monotonic(), 0.0, "", 0, 0.0
     try:
         while (passed := time.monotonic() - began) < (seconds if frames else max(seconds, PATIENCE_S)) and not ended():
             for frame in stream.poll(0.0):
                 if not frames:
-                    began = time.monotonic()
-                recorder.write(clock_of.steadied(frame))
-                frames += 1
+                    began, first_s = time.monotonic(), frame.time_s
+                if frame.time_s - first_s < seconds:
+                    recorder.write(clock_of.steadied(frame))
+                    frames += 1
             if stream.status != told or (sys.stderr.isatty() and passed - told_s >= TOLD_EVERY_S):
                 end = "\r" if stream.status == told else "\n"
                 print(f"topple: {passed:6.1f} s, {frames} pictures. {stream.status}", end=end, file=sys.stderr, flush=True)

@@ -13,7 +13,7 @@ from game.compiled import compiled
 from game.intake.gate_buffer import ContactBuffer, SensedFrame
 from game.intake.gate_contacts import ContactFinder
 from game.intake.gate_heading import BodyHeading
-from game.intake.gate_legs import ANKLES, FEET, HIPS, KNEES, feet_of
+from game.intake.gate_legs import FOOT_JOINTS, HIPS, KNEES, feet_of
 from game.intake.gate_lock import FootLock
 from game.intake.gate_pelvis import PelvisHeight, needed_rise
 from game.intake.gate_trunk import TrunkTilt
@@ -22,8 +22,7 @@ from game.tunables import Settings
 
 Floats = NDArray[np.float64]
 
-_HIP, _KNEE, _ANKLE, _TOES = (np.array(of) for of in (HIPS, KNEES, ANKLES, FEET))
-_FEET = np.array((ANKLES, FEET)).T
+_HIP, _KNEE = np.array(HIPS), np.array(KNEES)
 
 
 class InputGate:
@@ -52,20 +51,20 @@ class InputGate:
         return WorldFrame(frame.time_s, self._corrected(frame, dt), frame.raw, frame.contacts, time_s - frame.time_s)
 
     def _corrected(self, frame: SensedFrame, dt: float) -> Floats:
+        number = self._settings.number
         out, feet = frame.joints.copy(), np.empty((2, 2, 3))
         self._place_feet(frame, dt, feet)
         needs, mosts = [], []
         if self._settings.switch("gate.pelvis"):
-            slack, lengths = self._settings.number("gate.leg_slack"), self._finder.lengths
+            slack, lengths = number("gate.leg_slack"), self._finder.lengths
             for side, planted in enumerate(frame.contacts.planted):
                 if planted:
-                    rise, leg = float(feet[side, 0, 2] - frame.joints[_ANKLE[side], 2]), frame.legs[side]
+                    rise, leg = float(feet[side, 0, 2] - frame.joints[FOOT_JOINTS[side, 0], 2]), frame.legs[side]
                     needs.append(needed_rise(leg, rise, lengths.leg_m, lengths.stoop_m, slack))
                     mosts.append(leg.rise_m + rise)
         self._pelvis.apply(out, dt, sum(needs) / max(1, len(needs)), max(mosts, default=0.0))
         if dt > 0.0:
-            self._trunk.apply(out, self._settings.number("gate.tilt_rad_s") * dt)
-        number = self._settings.number
+            self._trunk.apply(out, number("gate.tilt_rad_s") * dt)
         self._heading.apply(out, dt, self._finder.lengths.leg_m, number("gate.turn_rad_s"), number("gate.twist_rad"))
         _put_feet(out, frame.joints, feet)
         return out
@@ -74,7 +73,7 @@ class InputGate:
         """Fill `feet` (2, 2, 3): ankle and toes of each foot, left first."""
         number, joints = self._settings.number, frame.joints
         if not self._settings.switch("gate.lock"):
-            feet[:] = joints[_FEET]
+            feet[:] = joints[FOOT_JOINTS]
             return
         fade_s, up_m, seen = number("gate.fade_time_s"), number("gate.up_m"), feet_of(joints)
         for side, lock in enumerate(self._locks):
@@ -92,7 +91,7 @@ class InputGate:
 def _put_feet(out: Floats, seen: Floats, feet: Floats) -> None:
     """Put ankles and toes of `feet` (2, 2, 3) into the joints `out` (20, 3); a knee goes half as far as hip and ankle from where `seen`."""
     for side in range(2):
-        ankle, knee, hip = _ANKLE[side], _KNEE[side], _HIP[side]
+        (ankle, toes), knee, hip = FOOT_JOINTS[side], _KNEE[side], _HIP[side]
         for axis in range(3):
-            out[ankle, axis], out[_TOES[side], axis] = feet[side, 0, axis], feet[side, 1, axis]
+            out[ankle, axis], out[toes, axis] = feet[side, 0, axis], feet[side, 1, axis]
             out[knee, axis] += 0.5 * (out[hip, axis] - seen[hip, axis] + feet[side, 0, axis] - seen[ankle, axis])

@@ -75,7 +75,7 @@ def place_lines(joints: Floats, last: Floats, leg_m: float, most_rad: float, twi
         last[:] = best if max(sure[0], sure[1]) > 0.0 else 0.0
         most_rad = math.pi
     _follow(found, taken, last, most_rad, twist_rad)
-    _place_hips(joints, last[0], sure[0], leg_m)
+    _place_hips(joints, found[0], last[0], sure[0], leg_m)
     if last[1] != found[1]:
         _turn_shoulders(joints, last[1] - found[1])
 
@@ -95,15 +95,18 @@ def _follow(found: Floats, taken: Floats, last: Floats, most_rad: float, twist_r
 
 
 @compiled
-def _place_hips(joints: Floats, heading: float, sure: float, leg_m: float) -> None:
-    """Lay the hips' line at this heading and no more aslant than hips are; where they are not seen (sure 0) square across the back."""
+def _place_hips(joints: Floats, found: float, heading: float, sure: float, leg_m: float) -> None:
+    """Turn the hips' line from the heading `found` to this one and lay it no more aslant than hips are.
+
+    Hips that are not seen (sure 0) lie square across the back.
+    """
     left, right = _LINES[0]
     across = joints[left] - joints[right]
     middle = 0.5 * (joints[left] + joints[right])
     up = one.normalise(joints[_SPINE] - middle)
     length = one.length(across)
     slant = math.asin(min(max(one.dot(across, up) / max(length, 1e-9), -1.0), 1.0))
-    if sure == 1.0 and abs(slant) <= MOST_SLANT_RAD and heading == math.atan2(-across[0], across[1]):
+    if sure == 1.0 and abs(slant) <= MOST_SLANT_RAD and heading == found:
         return
     slant = sure * min(max(slant, -MOST_SLANT_RAD), MOST_SLANT_RAD)
     length = sure * length + (1.0 - sure) * HIPS_SHARE * leg_m

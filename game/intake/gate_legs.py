@@ -20,7 +20,10 @@ HIPS = (Joint.HIP_LEFT, Joint.HIP_RIGHT)
 KNEES = (Joint.KNEE_LEFT, Joint.KNEE_RIGHT)
 ANKLES = (Joint.ANKLE_LEFT, Joint.ANKLE_RIGHT)
 FEET = (Joint.FOOT_LEFT, Joint.FOOT_RIGHT)
-_LEG, _TOES = np.array((HIPS, KNEES, ANKLES)).T, np.array(FEET)
+FOOT_JOINTS = np.array((ANKLES, FEET)).T
+"""(2, 2) ankle and toes of the left and of the right foot."""
+
+_LEG = np.array((HIPS, KNEES, ANKLES)).T
 _ROOT, _NECK = int(Joint.HIP_CENTER), int(Joint.SHOULDER_CENTER)
 
 LENGTH_TIME_S = 2.0
@@ -120,8 +123,8 @@ def feet_of(joints: Floats) -> tuple[FootSight, FootSight]:
 
 @compiled
 def _foot(joints: Floats, side: int) -> FootSight:
-    ankle = joints[_LEG[side, 2]]
-    return ankle[0], ankle[1], ankle[2], joints[_TOES[side], 2]
+    ankle, toes = joints[FOOT_JOINTS[side, 0]], joints[FOOT_JOINTS[side, 1]]
+    return ankle[0], ankle[1], ankle[2], toes[2]
 
 
 @compiled

@@ -6,11 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiled import compiled
-from game.intake.gate_legs import ANKLES, FEET
+from game.intake.gate_legs import FOOT_JOINTS
 
 Floats = NDArray[np.float64]
-
-_FOOT = np.array((ANKLES, FEET)).T
 
 HEEL_M = 0.02
 """A planted ankle that rises by more than this over its toes is let up: the player stands on them."""
@@ -45,7 +43,7 @@ def _released(joints: Floats, side: int, share: float, offset: Floats, foot: Flo
     for k in range(2):
         for axis in range(3):
             offset[k, axis] *= share
-            foot[k, axis] = joints[_FOOT[side, k], axis] + offset[k, axis]
+            foot[k, axis] = joints[FOOT_JOINTS[side, k], axis] + offset[k, axis]
 
 
 @compiled
@@ -56,7 +54,7 @@ def _kept(
     to the height `ankle_m`, by a share each; offset (2, 3): between the two."""
     for k in range(2):
         for axis in range(3):
-            sensed = joints[_FOOT[side, k], axis]
+            sensed = joints[FOOT_JOINTS[side, k], axis]
             if fresh:
                 held[k, axis] = sensed + offset[k, axis]
             if k == 0 and axis == 2:

@@ -101,7 +101,7 @@ class TargetTracker:
         pose = pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, rotations)
         velocity = np.zeros(3 * JOINT_COUNT)
         if self._last is not None and time_s > self._last.time_s:
-            velocity = _turned_in_child(self._last.joint_rotation, rotations) / (time_s - self._last.time_s)
+            velocity = one.turns_to(self._last.joint_rotation, rotations) / (time_s - self._last.time_s)
         com = pose.centre_of_mass(self._plan)
         root = mapped.root_position, mapped.root_orientation
         target = KinematicTarget(time_s, *root, rotations, velocity, pose, com, raw_mapped, contacts)
@@ -146,15 +146,6 @@ def _still_to_go(
         new_joint[part] = root_position + one.turn(moved, joint[part] - joint[0])
     error = clamp_targets(effector - new_joint[_EFFECTOR_PARTS], clamp_m)
     return jacobian_of(new_turn, new_joint), error.reshape(-1), _turned_in_parent(rotation, wanted)
-
-
-@compiled
-def _turned_in_child(before: Floats, after: Floats) -> Floats:
-    """(3 n,) rotation vectors from `before` to `after`, (n, 4), in the child frame."""
-    out = np.empty(3 * len(before))
-    for j in range(len(before)):
-        out[3 * j], out[3 * j + 1], out[3 * j + 2] = one.turn_to(before[j], after[j])
-    return out
 
 
 @compiled

@@ -22,15 +22,6 @@ def turn_error(now: Floats, wanted: Floats) -> Floats:
 
 
 @compiled
-def joint_errors(now: Floats, wanted: Floats) -> Floats:
-    """(42,) rad from the joints' rotations now (14, 4) to the wanted ones, child frames."""
-    out = np.empty(3 * len(now))
-    for j in range(len(now)):
-        out[3 * j], out[3 * j + 1], out[3 * j + 2] = one.turn_to(now[j], wanted[j])
-    return out
-
-
-@compiled
 def joint_accelerations(
     error: Floats, velocity: Floats, spin: Floats, spin_rate: Floats, stiffness: float, damping: float, limit: Floats
 ) -> Floats:

@@ -42,21 +42,17 @@ def leap_speed(window: MotionWindow, player: PlayerStance, body: BodyState) -> f
     return math.sqrt(2.0 * body.gravity * max(min(apex, standing + HIGHEST_LEAP_M) - body.com[2], 0.0))
 
 
-def taking_off(window: MotionWindow, player: PlayerStance, body: BodyState, load_n: float) -> bool:
-    """The COM rises on straight legs, or fast enough on unloaded feet: the floor has nothing more to give."""
+def taking_off(leap: float, player: PlayerStance, body: BodyState, load_n: float) -> bool:
+    """The COM rises on straight legs, or fast enough on unloaded feet: the floor has nothing more to give. leap: `leap_speed`."""
     speed = float(body.com_velocity[2])
     if speed < RISING_M_S:
         return False
     if not any(body.foot_contact):
         return True
-    if (
-        speed > PUSHING_M_S
-        and leap_speed(window, player, body) > PUSHING_M_S
-        and max(leg_reach(body, side) for side in range(2)) > STRAIGHT
-    ):
+    if speed > PUSHING_M_S and leap > PUSHING_M_S and max(leg_reach(body, side) for side in range(2)) > STRAIGHT:
         return True
     unloaded = load_n < 0.08 * body.subtree_mass[0] * body.gravity
-    return player.flight and unloaded and speed > leap_speed(window, player, body) - 0.1
+    return player.flight and unloaded and speed > leap - 0.1
 
 
 class ComHeight:
@@ -65,8 +61,8 @@ class ComHeight:
     def __init__(self) -> None:
         self._landing = False
 
-    def acceleration(self, motion: Motion, window: MotionWindow, player: PlayerStance, footing: Footing, body: BodyState) -> float:
-        """m/s^2 upwards that the COM is asked for."""
+    def acceleration(self, motion: Motion, leap: float, player: PlayerStance, footing: Footing, body: BodyState) -> float:
+        """m/s^2 upwards that the COM is asked for; leap: `leap_speed`."""
         height, speed = float(motion.place[3, 2]) - player.floor_z, float(body.com_velocity[2])
         com_height, rise = float(body.com[2]), float(motion.velocity[3, 2])
         if footing.landed_s < LANDING_S:
@@ -75,8 +71,7 @@ class ComHeight:
                 # not after the player up into the air again: soften the landing until he comes down too
                 return min(max(-12.0 * speed, -5.0), 9.0)
         wanted = 100.0 * (height - com_height) + 20.0 * (rise - speed) + float(motion.acceleration[3, 2])
-        leap = leap_speed(window, player, body) if rise > 0.3 else 0.0
-        if leap > 0.0:
+        if leap > 0.0 and rise > 0.3:
             wanted = max(wanted, 30.0 * (leap - speed))
         else:
             # legs that run out of length while the hips still rise would throw the body off the floor

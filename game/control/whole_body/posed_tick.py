@@ -5,13 +5,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game import rotation_compiled as one
 from game.characters.skeleton import DOF_COUNT, FEET, JOINT_COUNT
 from game.compiled import compiled
 from game.control.whole_body.free_answer import free_answer
 from game.control.whole_body.hold_damping import hold
 from game.control.whole_body.inverse_dynamics import eliminate
 from game.control.whole_body.joint_limits import soft_limits
-from game.control.whole_body.joint_tasks import joint_accelerations, joint_errors, turn_acceleration, turn_error, way_back
+from game.control.whole_body.joint_tasks import joint_accelerations, turn_acceleration, turn_error, way_back
 from game.control.whole_body.task_stack import add_com, add_sole, add_spin, diagonal_tasks, wrench_rows
 from game.control.whole_body.torque_limits import limits_at
 
@@ -124,7 +125,7 @@ def pose(body: Body, wanted: Wanted, numbers: Numbers, strength: Floats, joint_w
         strongest = max(-strength[0, row], strength[1, row])
         largest[row] = LARGEST_SHARE * strongest / inertia[row]
         firmness[row] = numbers.hold * max(inertia[row] / numbers.dt, strongest / numbers.held_by_rad_s)
-    error, root_error = joint_errors(body.rotation, wanted.rotation), turn_error(body.orientation[0], wanted.upright)
+    error, root_error = one.turns_to(body.rotation, wanted.rotation), turn_error(body.orientation[0], wanted.upright)
     goal = joint_accelerations(error, velocity[6:], wanted.spin, wanted.spin_rate, numbers.pose_stiffness, numbers.pose_damping, largest)
     soft_limits(body.rotation, velocity[6:], weight, goal)
     root = turn_acceleration(root_error, velocity[3:6], wanted.spin[JOINT_COUNT], ROOT_STIFFNESS, ROOT_DAMPING, LARGEST_ROOT)

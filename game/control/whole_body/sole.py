@@ -68,17 +68,19 @@ def ahead_of_ankle(body: BodyState) -> float:
 
 def leg_reach(body: BodyState, side: int) -> float:
     """Distance from hip to ankle over the length of the straight leg."""
-    thigh, shank, foot = LEG_PARTS[side]
-    bones = body.plan.joint_offset
-    length = math.sqrt(bones[shank] @ bones[shank]) + math.sqrt(bones[foot] @ bones[foot])
-    way = body.joint[thigh] - body.joint[foot]
+    way, length = _leg(body, side)
     return math.sqrt(way @ way) / length
 
 
 def rise_left(body: BodyState, side: int) -> float:
     """m that the hip can still rise over the ankle where that stands, until the leg is as good as straight; negative where it is."""
+    way, length = _leg(body, side)
+    (x, y, z), length = way.tolist(), 0.995 * length
+    return math.sqrt(max(length * length - x * x - y * y, 0.0)) - z
+
+
+def _leg(body: BodyState, side: int) -> tuple[Floats, float]:
+    """(3,) m from ankle to hip, and the length of the straight leg, m."""
     thigh, shank, foot = LEG_PARTS[side]
     bones = body.plan.joint_offset
-    length = 0.995 * (math.sqrt(bones[shank] @ bones[shank]) + math.sqrt(bones[foot] @ bones[foot]))
-    x, y, z = (body.joint[thigh] - body.joint[foot]).tolist()
-    return math.sqrt(max(length * length - x * x - y * y, 0.0)) - z
+    return body.joint[thigh] - body.joint[foot], math.sqrt(bones[shank] @ bones[shank]) + math.sqrt(bones[foot] @ bones[foot])

@@ -142,7 +142,8 @@ class WholeBody:
         xi = capture_point(body.com, body.com_velocity, frequency)
         self._wish = wish_of(self._player, motion, body)
         calm = math.hypot(xi[0] - body.com[0], xi[1] - body.com[1]) < CALM_M
-        leaving = taking_off(self._window, self._player, body, sum(self.wrench[2::6].tolist()))
+        self._leap = leap_speed(self._window, self._player, body)
+        leaving = taking_off(self._leap, self._player, body, sum(self.wrench[2::6].tolist()))
         self.footing.update(soles, xi, frequency, self._wish, calm, leaving, dt)
         goal = self._capture_goal(frequency, dt)
         goal_hull = self.footing.goal_hull(soles, GOAL_MARGIN_M, GOAL_ENDS_M)
@@ -173,13 +174,13 @@ class WholeBody:
         self._foot_tasks(soles, twist, motion, body, weight, goal)
         com_goal = np.zeros(3)
         if standing:
-            lift = self._height.acceleration(motion, self._window, self._player, self.footing, body)
+            lift = self._height.acceleration(motion, self._leap, self._player, self.footing, body)
             # the floor's force points from the pressure to the COM: the less it lifts, the less it pushes sideways
             push = max(1.0 + lift / body.gravity, LEAST_LOAD) * frequency**2
             com_goal[0], com_goal[1] = push * (body.com[0] - self.pressure[0]), push * (body.com[1] - self.pressure[1])
             com_goal[2] = lift
         # who leaves the floor or meets it must not turn: there is nothing to come back with in the air
-        leaping = self.footing.landed_s < LANDED_S or leap_speed(self._window, self._player, body) > 0.0
+        leaping = self.footing.landed_s < LANDED_S or self._leap > 0.0
         numbers, cone, price = self._tunables(leaping, dt), self._cone(soles[0], standing), _PRICE[: 6 * len(standing)]
         within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),

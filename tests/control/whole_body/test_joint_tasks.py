@@ -3,12 +3,12 @@
 import numpy as np
 
 from game import rotation
+from game import rotation_compiled as one
 from game.characters.skeleton import JOINT_COUNT, JOINTS
 from game.control.whole_body.joint_tasks import (
     LARGEST_SPIN,
     LARGEST_SPIN_RATE,
     joint_accelerations,
-    joint_errors,
     turn_acceleration,
     turn_error,
     way_back,
@@ -21,7 +21,7 @@ ELBOW = JOINTS.index("elbow_left")
 
 
 def asked(now, wanted, velocity=REST, spin=STILL, rate=STILL, limit=ENOUGH):
-    return joint_accelerations(joint_errors(now, wanted), velocity, spin, rate, 250.0, 28.0, limit)
+    return joint_accelerations(one.turns_to(now, wanted), velocity, spin, rate, 250.0, 28.0, limit)
 
 
 def test_on_target_at_its_speed_a_joint_follows_the_target_s_own_acceleration():
@@ -85,7 +85,7 @@ def test_a_pelvis_where_it_should_be_is_left_alone():
 
 def test_the_way_back_from_the_target_is_none():
     joints, upright = bent(elbow_left=(0.1, -0.8, 0.2)), rotation.exp(np.array([0.1, 0.2, 0.3]))
-    np.testing.assert_allclose(way_back(joint_errors(joints, joints), turn_error(upright, -upright), 4.0, 2.0), np.zeros(48), atol=1e-12)
+    np.testing.assert_allclose(way_back(one.turns_to(joints, joints), turn_error(upright, -upright), 4.0, 2.0), np.zeros(48), atol=1e-12)
 
 
 def test_the_way_back_is_the_error_a_second_at_its_rate_and_never_faster_than_allowed():
@@ -93,7 +93,7 @@ def test_the_way_back_is_the_error_a_second_at_its_rate_and_never_faster_than_al
     wanted = joints.copy()
     wanted[ELBOW] = rotation.multiply(joints[ELBOW], rotation.exp(error))
     lean = np.array([0.2, -0.3, 0.0])
-    way = way_back(joint_errors(joints, wanted), turn_error(rotation.exp(np.zeros(3)), rotation.exp(lean)), 4.0, 2.0)
+    way = way_back(one.turns_to(joints, wanted), turn_error(rotation.exp(np.zeros(3)), rotation.exp(lean)), 4.0, 2.0)
     np.testing.assert_allclose(way[:3], 0.0)
     np.testing.assert_allclose(way[3:6], 4.0 * lean, atol=1e-12)
     np.testing.assert_allclose(way[6:].reshape(JOINT_COUNT, 3)[ELBOW], [0.2, -0.4, 2.0], atol=1e-12)

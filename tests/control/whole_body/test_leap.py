@@ -76,7 +76,7 @@ def asked(of: Any, speed: float) -> float:
     """m/s^2 upwards asked of a body whose player rises at `speed`."""
     window, footing = seen(0.0, speed), Footing()
     assert all(foot.phase is Phase.STANCE for foot in footing.feet)
-    return ComHeight().acceleration(window.moment(0.0), window, PLAYER, footing, of)
+    return ComHeight().acceleration(window.moment(0.0), leap_speed(window, PLAYER, of), PLAYER, footing, of)
 
 
 def test_hips_that_rise_fast_on_nearly_straight_legs_are_braked():
