@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# Sourced by play.sh and test.sh: brings a bare computer to where Topple runs. `set_up_gl`, then `set_up play` or `set_up test`;
+# Sourced by play.sh, test.sh and try_wheel.sh: brings a bare computer to where Topple runs. `set_up_gl`, then `set_up play` or `set_up test`;
 # $root is the project folder.
 # Plain POSIX sh. TOPPLE_PYTHON names the Python to use; TOPPLE_VENV puts the environment elsewhere than .venv.
 
@@ -109,6 +109,12 @@ install_packages() {
 # New packages compile anew. A first start would do it too, only with the player waiting, so a failure is no reason to stop here.
 warm_up() {
     (cd "$root" && "$python" -m game.warm_up) || say "could not compile ahead; the lines above say why."
+}
+
+# Only the environment and the packages, nothing compiled.
+set_up_packages() {
+    make_venv || exit 1
+    is_installed "$1" || install_packages "$1" || exit 1
 }
 
 set_up() {

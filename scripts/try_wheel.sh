@@ -5,7 +5,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/scripts/setup.sh"
 folder=$(cd "$1" && pwd)
 set_up_gl
-set_up test
+set_up_packages test
 "$python" -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir "$folder" "$root"
 "$python" -m venv --clear "$folder/empty"
 pip="$folder/empty/bin/python -m pip --disable-pip-version-check"
