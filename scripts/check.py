@@ -24,7 +24,7 @@ def main(arguments: list[str]) -> int:
         if subprocess.run([sys.executable, "-m", *command], cwd=ROOT, env=environment).returncode != 0:
             red.append(name)
     print("check: pytest", flush=True)
-    pytest = [sys.executable, "-m", "pytest", "-n", "2", "--dist", "loadfile", *arguments]
+    pytest = [sys.executable, "-m", "pytest", "-n", "2", "--dist", "loadfile", "--no-loadscope-reorder", *arguments]
     tests = subprocess.run(pytest, cwd=ROOT, env=environment).returncode
     if red:
         print(f"check: not green before the tests: {', '.join(red)}", flush=True)

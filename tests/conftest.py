@@ -12,6 +12,12 @@ settings.register_profile("topple", derandomize=True, deadline=None)
 settings.load_profile("topple")
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Files with slow tests go first: begun last, one of them would be waited for with half of the computer idle."""
+    slow = {item.path for item in items if item.get_closest_marker("slow") is not None}
+    items.sort(key=lambda item: item.path not in slow)
+
+
 @pytest.fixture(autouse=True)
 def no_physics_warnings(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Fails a test in whose worlds MuJoCo warned of anything, or in which it left its log file behind."""
