@@ -1,52 +1,35 @@
 """Planning of contacts: when a foot may lift, when it has landed, and the steps that save the balance or mend the stance."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.control.whole_body.capture_point import escape_of_soles, predicted
+from game.control.whole_body.capture_point import escape_of_soles
 from game.control.whole_body.contact_states import FootState, Phase
+from game.control.whole_body.saving_step import STEP_S, landing_goal, saving_foot
 from game.control.whole_body.sole import Sole, polygon
-from game.control.whole_body.support_polygon import distance_inside, nearest_inside, sole_corners
+from game.control.whole_body.support_polygon import distance_inside
+from game.control.whole_body.wish import Wish
 
 Floats = NDArray[np.float64]
 
 LIFT_MARGIN_M, LIFT_DEPTH_M = 0.035, 0.01
 """A foot lifts once the capture point is so far inside the other sole; it is wanted a little deeper, so that it gets there."""
 
-PRESSURE_MARGIN_M = 0.01
 LOST_M = 0.03
 """A standing foot that has come this far off the floor is brought back like one that swings."""
 
 NEAR_FLOOR_M = 0.08
 """A foot on its way down counts for the balance from here on."""
 
-STEP_S = 0.26
 RETURN_S = 0.4
 LOOK_AHEAD_S = 0.1
-OUT_NOW_M, OUT_SOON_M, OUT_LONG_S = 0.025, 0.05, 0.12
+OUT_NOW_M, OUT_SOON_M, OUT_LONG_S = 0.015, 0.05, 0.12
 """A step saves the balance once the capture point is that far outside, will be by then, or has been outside so long."""
-
-LAND_ENDS_M, LAND_SIDES_M = 0.1, 0.05
-"""A saving step brings the sole so well under the capture point that it lies this far inside."""
-
-LEAST_SIDE_M = 0.13
-"""m to its own side of the other foot that a saving step lands at least."""
 
 AMISS_S = 0.6
 """A stance that is not the player's is mended after so long."""
-
-
-@dataclass(frozen=True)
-class Wish:
-    """What the player does: feet up, in flight, where each sole should stand (world xy, 2 x 2) and its yaw."""
-
-    up: tuple[bool, bool]
-    flight: bool
-    place: Floats
-    yaw: tuple[float, float]
 
 
 class Footing:
@@ -165,7 +148,7 @@ class Footing:
             else:
                 self._retarget(soles, xi, frequency, wish)
             return
-        self._step(_saving_foot(soles, xi), soles, xi, frequency, wish)
+        self._step(saving_foot(soles, xi, frequency, wish), soles, xi, frequency, wish)
 
     def _comes_down(self, side: int, soles: tuple[Sole, Sole], wish: Wish) -> bool:
         return self.feet[side].phase is Phase.SWING and not wish.up[side] and bool(soles[side].centre[2] < NEAR_FLOOR_M)
@@ -174,53 +157,16 @@ class Footing:
         """A recovery step under way goes where the capture point will be by then."""
         for side, foot in enumerate(self.feet):
             if foot.phase is Phase.STEP and foot.duration_s == STEP_S and foot.time_s < 0.6 * STEP_S:
-                foot.goal = self._landing_goal(side, soles, xi, frequency, wish, STEP_S - foot.time_s)
+                foot.goal = landing_goal(side, soles, xi, frequency, wish, STEP_S - foot.time_s)
 
     def _step(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> None:
-        goal = self._landing_goal(side, soles, xi, frequency, wish, STEP_S)
+        goal = landing_goal(side, soles, xi, frequency, wish, STEP_S)
         self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, soles[1 - side].yaw, STEP_S)
         self.outside_s = 0.0
         self.intended = 1 - side
-
-    def _landing_goal(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, time_s: float) -> Floats:
-        """(3,) where the sole should come down: where the player has it, moved as little as the capture point of touch-down asks.
-
-        It stays on its own side of the other foot and within a leg's reach.
-        """
-        other = soles[1 - side]
-        pivot = nearest_inside(other.corners(PRESSURE_MARGIN_M), xi)
-        landing = predicted(xi, pivot, frequency, max(time_s, 0.0))
-        there = sole_corners(wish.place[side], wish.yaw[side], other.half_length - LAND_ENDS_M, other.half_width - LAND_SIDES_M)
-        place = wish.place[side] + landing - nearest_inside(there, landing)
-        c, s = math.cos(other.yaw), math.sin(other.yaw)
-        offset = place - other.centre[:2]
-        ahead, left = c * offset[0] + s * offset[1], -s * offset[0] + c * offset[1]
-        sign = 1.0 if side == 0 else -1.0
-        left = sign * max(sign * left, LEAST_SIDE_M)
-        length = math.hypot(ahead, left)
-        if length > 0.7:
-            ahead, left = ahead * 0.7 / length, left * 0.7 / length
-        goal = np.array([c * ahead - s * left, s * ahead + c * left, 0.0])
-        goal[:2] += other.centre[:2]
-        return goal
 
 
 def _astray(sole: Sole, wish: Wish, side: int) -> float:
     """How far a planted foot is from where it should stand; beyond 1 it wants mending."""
     ahead, left = wish.place[side, 0] - sole.centre[0], wish.place[side, 1] - sole.centre[1]
     return max(math.hypot(ahead, left) / 0.09, abs(math.remainder(wish.yaw[side] - sole.yaw, math.tau)) / 0.4)
-
-
-def _saving_foot(soles: tuple[Sole, Sole], xi: Floats) -> int:
-    """Which of two standing feet steps: sideways the one on the side of the fall, else the one that trails."""
-    middle = 0.5 * (soles[0].centre + soles[1].centre)[:2]
-    yaw = soles[0].yaw + 0.5 * math.remainder(soles[1].yaw - soles[0].yaw, math.tau)
-    c, s = math.cos(yaw), math.sin(yaw)
-    away = xi - middle
-    ahead, left = c * away[0] + s * away[1], -s * away[0] + c * away[1]
-    if abs(left) > 0.1 and abs(left) > 0.5 * abs(ahead):
-        return 0 if left > 0.0 else 1
-    lead = float((soles[0].centre[:2] - soles[1].centre[:2]) @ np.array([c, s])) * (1.0 if ahead > 0.0 else -1.0)
-    if abs(lead) > 0.05:
-        return 1 if lead > 0.0 else 0
-    return 0 if left > 0.0 else 1

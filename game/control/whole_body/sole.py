@@ -14,6 +14,9 @@ from game.control.whole_body.support_polygon import hull_of_soles, sole_corners
 
 Floats = NDArray[np.float64]
 
+PRESSURE_MARGIN_M = 0.01
+"""The centre of pressure is kept this far inside the soles."""
+
 
 class Sole(NamedTuple):
     """A foot as it is: centre of its sole (3,) and yaw, ankle (3,), whether its lowest corner touches; half extents (m)."""

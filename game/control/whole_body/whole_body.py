@@ -13,16 +13,18 @@ from game.control.gains import gains
 from game.control.joint_command import BodyState, JointCommand
 from game.control.whole_body.capture_point import capture_point, natural_frequency, players_capture_point, steer
 from game.control.whole_body.contact_wrenches import cone_rows
-from game.control.whole_body.foot_goals import flight_task, foot_task, wish_of
-from game.control.whole_body.footing import PRESSURE_MARGIN_M, Footing
+from game.control.whole_body.foot_goals import flight_task, foot_task
+from game.control.whole_body.footing import Footing
 from game.control.whole_body.hold_damping import hold
 from game.control.whole_body.leap import ComHeight, leap_speed, taking_off
 from game.control.whole_body.leg_kinematics import sole_motions
 from game.control.whole_body.motion_window import Motion, MotionWindow
+from game.control.whole_body.pelvis_goal import held_by_feet
 from game.control.whole_body.player_stance import PlayerStance
 from game.control.whole_body.posed_tick import Body, Numbers, Wanted, pose_and_answer, room_for_posed
-from game.control.whole_body.sole import Sole, soles_of
+from game.control.whole_body.sole import PRESSURE_MARGIN_M, Sole, soles_of
 from game.control.whole_body.torque_limits import Problem, within_limits
+from game.control.whole_body.wish import wish_of
 from game.target.kinematic_target import KinematicTarget
 from game.tunables import Settings
 
@@ -40,7 +42,7 @@ CALM_M = 0.05
 LEAST_LOAD = 0.5
 """Share of the weight that the floor is reckoned with at least when it is to push sideways."""
 
-SPIN_RATE, BACK_RATE, LARGEST_BACK = 2.0, 10.0, 2.0
+SPIN_RATE, BACK_RATE, LARGEST_BACK = 4.0, 10.0, 2.0
 """1/s of angular momentum; 1/s and rad/s of the way back to the target's pose that it may be used for."""
 
 LANDED_S = 0.4
@@ -185,7 +187,7 @@ class WholeBody:
         within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
             Wanted(
-                motion.turn, motion.spin, motion.spin_rate, self._player.orientation(motion.root),
+                motion.turn, motion.spin, motion.spin_rate, self._upright(motion, soles),
                 (soles[0].centre, soles[1].centre), weight, goal, product, pushes, com_goal, _COM_WEIGHT,
             ),
             numbers, self._strength, _JOINT_WEIGHT[standing], price, cone, self._posed,
@@ -202,6 +204,11 @@ class WholeBody:
             hold(p.firmness, self.torque, *self.limits, velocity, acceleration, dt, outcome.damping, outcome.speed)
         self.com_target[2] = motion.place[3, 2] - self._player.floor_z
         return JointCommand(rotation, outcome.speed, _NOTHING, outcome.damping, self.torque)
+
+    def _upright(self, motion: Motion, soles: tuple[Sole, Sole]) -> Floats:
+        """(4,) of the pelvis; takes from the motion's spin what the feet forbid."""
+        yaws, feet = (soles[0].yaw, soles[1].yaw), self.footing.feet
+        return held_by_feet(self._player.orientation(motion.root), motion.spin[JOINT_COUNT], yaws, (feet[0].stands, feet[1].stands))
 
     def _tunables(self, leaping: bool, dt: float) -> Numbers:
         """Read anew where one was turned or another tick is asked for, and the strength with them."""

@@ -5,8 +5,11 @@ import pytest
 
 from game.control.whole_body.capture_point import natural_frequency
 from game.control.whole_body.contact_states import Phase
-from game.control.whole_body.footing import LIFT_MARGIN_M, RETURN_S, STEP_S, Footing, Sole, Wish
+from game.control.whole_body.footing import LIFT_MARGIN_M, RETURN_S, Footing
+from game.control.whole_body.saving_step import OVERSTEP, STEP_S
+from game.control.whole_body.sole import Sole
 from game.control.whole_body.support_polygon import convex_hull, distance_inside
+from game.control.whole_body.wish import Wish
 
 LEFT, RIGHT = 0, 1
 OMEGA = natural_frequency(9.81, 0.95)
@@ -133,13 +136,21 @@ def test_a_push_forward_is_caught_by_the_foot_that_trails(scene):
     assert scene.footing.feet[RIGHT].goal[0] > 0.25
 
 
+def test_a_fall_past_the_loaded_foot_of_a_wide_stance_is_caught_by_the_other(scene):
+    """The loaded foot could only step from the far one, and never reach as far as the body falls meanwhile."""
+    scene.place[:, 1] = scene.wished[:, 1] = 0.35, -0.35
+    scene.xi = np.array([0.0, -0.42])
+    assert scene.go() == (STEPS, STANDS)
+    assert scene.footing.feet[LEFT].goal[1] < -0.2, "as near as feet that do not cross may come"
+
+
 def test_a_step_is_placed_where_the_capture_point_will_be(scene):
     """By touch-down the foot, with its margins, has the predicted capture point under it."""
     scene.xi = np.array([0.2, 0.02])
     scene.go()
     side = next(side for side in range(2) if scene.footing.feet[side].phase is STEPS)
     pivot = np.array([HALF_LENGTH - 0.01, 0.0])
-    landing = pivot[0] + (scene.xi[0] - pivot[0]) * np.exp(OMEGA * STEP_S)
+    landing = pivot[0] + OVERSTEP * (scene.xi[0] - pivot[0]) * np.exp(OMEGA * STEP_S)
     assert abs(scene.footing.feet[side].goal[0] - landing) < HALF_LENGTH
 
 

@@ -10,10 +10,10 @@ import pytest
 from game import rotation
 from game.characters.body_plan import load_body_plan
 from game.characters.skeleton import JOINT_COUNT
-from game.control.whole_body.foot_goals import INWARD_RAD, LEAST_APART_M, OUTWARD_RAD, wish_of
 from game.control.whole_body.motion_window import Motion
 from game.control.whole_body.player_stance import PlayerStance
 from game.control.whole_body.sole import ahead_of_ankle
+from game.control.whole_body.wish import INWARD_RAD, LEAST_APART_M, OUTWARD_RAD, wish_of
 
 BODY: Any = SimpleNamespace(plan=load_body_plan("original"))
 

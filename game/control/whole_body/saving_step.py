@@ -1,0 +1,70 @@
+"""A step that saves the balance: which foot takes it, and where it comes down."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.control.whole_body.capture_point import predicted
+from game.control.whole_body.sole import PRESSURE_MARGIN_M, Sole
+from game.control.whole_body.support_polygon import nearest_inside, sole_corners
+from game.control.whole_body.wish import Wish
+
+Floats = NDArray[np.float64]
+
+STEP_S = 0.2
+"""How long it takes."""
+
+OVERSTEP = 1.2
+"""It goes so many times as far as the capture point is on its way: what still pushes, and what the swing itself costs, is in it."""
+
+LAND_ENDS_M, LAND_SIDES_M = 0.1, 0.05
+"""It brings the sole so well under the capture point that it lies this far inside."""
+
+LEAST_SIDE_M, REACH_M = 0.13, 0.7
+"""m to its own side of the other foot that it lands at least, and m from it at most."""
+
+
+def saving_foot(soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> int:
+    """Which of two standing feet steps.
+
+    The other is stood on meanwhile, and the capture point flees from it the faster the farther away it is already: the sum of that
+    distance and of what the step will fall short of the capture point is least for the foot chosen. Sideways it is therefore the foot
+    on the side of the fall while it stands near the other one, else the one that trails.
+    """
+    price = []
+    for side in range(2):
+        sole = soles[1 - side]
+        pivot, landing = _at_touch_down(sole, xi, frequency, STEP_S)
+        goal = landing_goal(side, soles, xi, frequency, wish, STEP_S)
+        there = sole_corners(goal, wish.yaw[side], sole.half_length - PRESSURE_MARGIN_M, sole.half_width - PRESSURE_MARGIN_M)
+        price.append(math.dist(nearest_inside(there, landing), landing) + math.dist(xi, pivot))
+    return int(price[1] < price[0])
+
+
+def landing_goal(side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, time_s: float) -> Floats:
+    """(3,) where the sole should come down in `time_s`: where the player has it, moved as little as the capture point of then asks.
+
+    It stays on its own side of the other foot and within a leg's reach.
+    """
+    other = soles[1 - side]
+    _, landing = _at_touch_down(other, xi, frequency, time_s)
+    there = sole_corners(wish.place[side], wish.yaw[side], other.half_length - LAND_ENDS_M, other.half_width - LAND_SIDES_M)
+    place = wish.place[side] + landing - nearest_inside(there, landing)
+    c, s = math.cos(other.yaw), math.sin(other.yaw)
+    offset = place - other.centre[:2]
+    ahead, left = c * offset[0] + s * offset[1], -s * offset[0] + c * offset[1]
+    sign = 1.0 if side == 0 else -1.0
+    within = min(1.0, REACH_M / max(math.hypot(ahead, left), 1e-9))
+    left = sign * max(sign * within * left, LEAST_SIDE_M)
+    most = math.sqrt(max(REACH_M**2 - left**2, 0.0))
+    ahead = min(max(within * ahead, -most), most)
+    goal = np.array([c * ahead - s * left, s * ahead + c * left, 0.0])
+    goal[:2] += other.centre[:2]
+    return goal
+
+
+def _at_touch_down(stands: Sole, xi: Floats, frequency: float, time_s: float) -> tuple[Floats, Floats]:
+    """(2,) of the sole that stands the place nearest to the capture point, and (2,) where that will be in `time_s`, with OVERSTEP."""
+    pivot = nearest_inside(stands.corners(PRESSURE_MARGIN_M), xi)
+    return pivot, pivot + OVERSTEP * (predicted(xi, pivot, frequency, max(time_s, 0.0)) - pivot)
