@@ -14,7 +14,7 @@ LEAST_LEAP_M = 0.06
 HIGHEST_LEAP_M = 0.4
 """Nobody is followed higher than that."""
 
-SEEN_SHORT = 1.2
+SEEN_SHORT = 1.5
 """A smoothed push-off ends before it is seen to: the swing carries farther than its parabola."""
 
 STRAIGHT = 0.98
