@@ -8,7 +8,7 @@ from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.player_stance import PlayerStance
 from game.control.whole_body.sole import leg_reach, rise_left
 
-LEAST_LEAP_M = 0.06
+LEAST_LEAP_M = 0.075
 """A player who rises with a swing that would carry him this far above standing is about to jump."""
 
 HIGHEST_LEAP_M = 0.4

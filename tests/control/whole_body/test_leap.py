@@ -51,7 +51,7 @@ def test_a_player_who_only_gets_up_does_not_leap():
 
 
 def test_bent_legs_go_on_pushing_so_the_swing_counts_from_standing():
-    speed, low = 2.4, 0.1
+    speed, low = 2.2, 0.1
     swing = SEEN_SHORT * speed**2 / (2.0 * GRAVITY)
     assert LEAST_LEAP_M + low < swing < HIGHEST_LEAP_M
     wanted = leap_speed(seen(low, speed), PLAYER, body(com_z=PLAN.idle_com_height - low))
