@@ -21,16 +21,22 @@ OVERSTEP = 1.2
 LAND_ENDS_M, LAND_SIDES_M = 0.1, 0.05
 """It brings the sole so well under the capture point that it lies this far inside."""
 
-LEAST_SIDE_M, REACH_M = 0.13, 0.7
-"""m to its own side of the other foot that it lands at least, and m from it at most."""
+LEAST_SIDE_M, CROSS_AHEAD_M, CROSS_SIDE_M = 0.13, 0.27, 0.3
+"""It lands at least so far to its own side of the other foot, or at least so far before or behind it and at most so far across."""
+
+REACH_M = 0.7
+"""From the other foot, at most."""
+
+SHORT_PRICE = 2.0
+"""Of a metre that a step falls short of the capture point, against one that the capture point is away from the foot stood on."""
 
 
 def saving_foot(soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> int:
     """Which of two standing feet steps.
 
-    The other is stood on meanwhile, and the capture point flees from it the faster the farther away it is already: the sum of that
-    distance and of what the step will fall short of the capture point is least for the foot chosen. Sideways it is therefore the foot
-    on the side of the fall while it stands near the other one, else the one that trails.
+    The other is stood on meanwhile, and the capture point flees from it the faster the farther away it already is: the foot is chosen
+    for which that distance and what its step will fall short by, at SHORT_PRICE, are least together. Sideways it is therefore the foot
+    on the side of the fall as long as it need not be fast, then the other one, crossing over; else the one that trails.
     """
     price = []
     for side in range(2):
@@ -38,14 +44,14 @@ def saving_foot(soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wi
         pivot, landing = _at_touch_down(sole, xi, frequency, STEP_S)
         goal = landing_goal(side, soles, xi, frequency, wish, STEP_S)
         there = sole_corners(goal, wish.yaw[side], sole.half_length - PRESSURE_MARGIN_M, sole.half_width - PRESSURE_MARGIN_M)
-        price.append(math.dist(nearest_inside(there, landing), landing) + math.dist(xi, pivot))
+        price.append(SHORT_PRICE * math.dist(nearest_inside(there, landing), landing) + math.dist(xi, pivot))
     return int(price[1] < price[0])
 
 
 def landing_goal(side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, time_s: float) -> Floats:
     """(3,) where the sole should come down in `time_s`: where the player has it, moved as little as the capture point of then asks.
 
-    It stays on its own side of the other foot and within a leg's reach.
+    It keeps clear of the other foot and within a leg's reach.
     """
     other = soles[1 - side]
     _, landing = _at_touch_down(other, xi, frequency, time_s)
@@ -56,12 +62,21 @@ def landing_goal(side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: flo
     ahead, left = c * offset[0] + s * offset[1], -s * offset[0] + c * offset[1]
     sign = 1.0 if side == 0 else -1.0
     within = min(1.0, REACH_M / max(math.hypot(ahead, left), 1e-9))
-    left = sign * max(sign * within * left, LEAST_SIDE_M)
-    most = math.sqrt(max(REACH_M**2 - left**2, 0.0))
-    ahead = min(max(within * ahead, -most), most)
+    ahead, aside = _clear_of_other(within * ahead, sign * within * left)
+    most = math.sqrt(max(REACH_M**2 - aside**2, 0.0))
+    ahead, left = min(max(ahead, -most), most), sign * aside
     goal = np.array([c * ahead - s * left, s * ahead + c * left, 0.0])
     goal[:2] += other.centre[:2]
     return goal
+
+
+def _clear_of_other(ahead: float, aside: float) -> tuple[float, float]:
+    """m ahead of the other foot and to this foot's own side of it: beside it, or crossed before or behind it, whichever is nearer."""
+    crossed_ahead = math.copysign(max(abs(ahead), CROSS_AHEAD_M), ahead)
+    crossed_aside = max(aside, -CROSS_SIDE_M)
+    if LEAST_SIDE_M - aside <= abs(crossed_ahead - ahead) + crossed_aside - aside:
+        return ahead, max(aside, LEAST_SIDE_M)
+    return crossed_ahead, crossed_aside
 
 
 def _at_touch_down(stands: Sole, xi: Floats, frequency: float, time_s: float) -> tuple[Floats, Floats]:
