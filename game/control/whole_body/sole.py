@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game import rotation_compiled as one
 from game.characters.skeleton import FEET
 from game.compiled import compiled
 from game.control.joint_command import BodyState
@@ -71,19 +72,19 @@ def ahead_of_ankle(body: BodyState) -> float:
 
 def leg_reach(body: BodyState, side: int) -> float:
     """Distance from hip to ankle over the length of the straight leg."""
-    way, length = _leg(body, side)
-    return math.sqrt(way @ way) / length
+    x, y, z, length = _leg(body.joint, body.plan.joint_offset, *LEG_PARTS[side])
+    return math.sqrt(x * x + y * y + z * z) / length
 
 
 def rise_left(body: BodyState, side: int) -> float:
     """m that the hip can still rise over the ankle where that stands, until the leg is as good as straight; negative where it is."""
-    way, length = _leg(body, side)
-    (x, y, z), length = way.tolist(), 0.995 * length
+    x, y, z, length = _leg(body.joint, body.plan.joint_offset, *LEG_PARTS[side])
+    length *= 0.995
     return math.sqrt(max(length * length - x * x - y * y, 0.0)) - z
 
 
-def _leg(body: BodyState, side: int) -> tuple[Floats, float]:
-    """(3,) m from ankle to hip, and the length of the straight leg, m."""
-    thigh, shank, foot = LEG_PARTS[side]
-    bones = body.plan.joint_offset
-    return body.joint[thigh] - body.joint[foot], math.sqrt(bones[shank] @ bones[shank]) + math.sqrt(bones[foot] @ bones[foot])
+@compiled
+def _leg(joint: Floats, offset: Floats, thigh: int, shank: int, foot: int) -> tuple[float, float, float, float]:
+    """m from ankle to hip, and the length of the straight leg, m; joint and joint_offset (15, 3) of the body and of its plan."""
+    way = joint[thigh] - joint[foot]
+    return way[0], way[1], way[2], one.length(offset[shank]) + one.length(offset[foot])
