@@ -14,9 +14,6 @@ from game.control.whole_body.wish import Wish
 
 Floats = NDArray[np.float64]
 
-LIFT_MARGIN_M, LIFT_DEPTH_M = 0.035, 0.01
-"""A foot lifts once the capture point is so far inside the other sole; it is wanted a little deeper, so that it gets there."""
-
 LOST_M = 0.03
 """A standing foot that has come this far off the floor is brought back like one that swings."""
 
@@ -68,7 +65,7 @@ class Footing:
         """Where the capture point should be: over the foot that is to carry all, where there is one."""
         if self.intended is None:
             return self.hull(soles, margin_m, ends_m)
-        return soles[self.intended].corners(max(margin_m, LIFT_MARGIN_M + LIFT_DEPTH_M), ends_m)
+        return soles[self.intended].corners(margin_m, ends_m)
 
     def _land(self, soles: tuple[Sole, Sole], wish: Wish) -> None:
         for side, foot in enumerate(self.feet):
@@ -104,7 +101,8 @@ class Footing:
         if side is None:
             return
         self.intended = other = 1 - side
-        if not soles[other].touches or distance_inside(soles[other].corners(LIFT_MARGIN_M), xi) < 0.0:
+        # over the other sole it can be steered both ways; whoever waits until it rests there lifts no foot of a player who marches
+        if not soles[other].touches or distance_inside(soles[other].corners(0.0), xi) < 0.0:
             return
         if wish.up[side]:
             self.feet[side].enter(Phase.SWING)

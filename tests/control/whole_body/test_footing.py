@@ -5,7 +5,7 @@ import pytest
 
 from game.control.whole_body.capture_point import natural_frequency
 from game.control.whole_body.contact_states import Phase
-from game.control.whole_body.footing import LIFT_MARGIN_M, RETURN_S, Footing
+from game.control.whole_body.footing import RETURN_S, Footing
 from game.control.whole_body.saving_step import CROSS_AHEAD_M, CROSS_SIDE_M, LEAST_SIDE_M, OVERSTEP, REACH_M, STEP_S
 from game.control.whole_body.sole import Sole
 from game.control.whole_body.support_polygon import convex_hull, distance_inside
@@ -77,9 +77,9 @@ def test_a_foot_that_the_player_lifts_waits_until_the_weight_is_on_the_other(sce
     assert scene.go() == (SWINGS, STANDS)
 
 
-def test_the_weight_must_be_well_inside_the_other_sole(scene):
+def test_the_capture_point_must_be_over_the_other_sole(scene):
     scene.up = (True, False)
-    edge = STAND[RIGHT] + [0.0, HALF_WIDTH - LIFT_MARGIN_M]
+    edge = STAND[RIGHT] + [0.0, HALF_WIDTH]
     scene.xi = edge + [0.0, 0.003]
     assert scene.go(0.2) == (STANDS, STANDS)
     scene.xi = edge - [0.0, 0.003]
