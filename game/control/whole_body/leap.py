@@ -61,8 +61,8 @@ class ComHeight:
     def __init__(self) -> None:
         self._landing = False
 
-    def acceleration(self, motion: Motion, leap: float, player: PlayerStance, footing: Footing, body: BodyState) -> float:
-        """m/s^2 upwards that the COM is asked for; leap: `leap_speed`."""
+    def acceleration(self, motion: Motion, rising: float, leap: float, player: PlayerStance, footing: Footing, body: BodyState) -> float:
+        """m/s^2 upwards that the COM is asked for; rising: m/s of the player's in the newest frame, leap: `leap_speed`."""
         height, speed = float(motion.place[3, 2]) - player.floor_z, float(body.com_velocity[2])
         com_height, rise = float(body.com[2]), float(motion.velocity[3, 2])
         if footing.landed_s < LANDING_S:
@@ -76,7 +76,7 @@ class ComHeight:
         else:
             # legs that run out of length while the hips still rise would throw the body off the floor
             room = min((rise_left(body, side) for side in range(2) if footing.feet[side].stands), default=0.0)
-            excess = float(body.velocity[2]) - math.sqrt(2.0 * BRAKE * max(room, 0.0))
+            excess = float(body.velocity[2]) - max(math.sqrt(2.0 * BRAKE * max(room, 0.0)), rising)
             if excess > 0.0:
                 wanted = min(wanted, -BRAKE_RATE * excess)
         return min(max(wanted, LOWEST), HIGHEST)

@@ -176,7 +176,7 @@ class WholeBody:
         self._foot_tasks(soles, twist, motion, body, weight, goal)
         com_goal = np.zeros(3)
         if standing:
-            lift = self._height.acceleration(motion, self._leap, self._player, self.footing, body)
+            lift = self._height.acceleration(motion, self._window.newest_rise[1], self._leap, self._player, self.footing, body)
             # the floor's force points from the pressure to the COM: the less it lifts, the less it pushes sideways
             push = max(1.0 + lift / body.gravity, LEAST_LOAD) * frequency**2
             com_goal[0], com_goal[1] = push * (body.com[0] - self.pressure[0]), push * (body.com[1] - self.pressure[1])

@@ -72,11 +72,11 @@ def test_what_is_left_of_a_leg_is_what_the_hip_can_rise():
         assert leg_reach(body(joint), side) == pytest.approx(0.995, abs=1e-9)
 
 
-def asked(of: Any, speed: float) -> float:
-    """m/s^2 upwards asked of a body whose player rises at `speed`."""
+def asked(of: Any, speed: float, newest: float = 0.0) -> float:
+    """m/s^2 upwards asked of a body whose player rises at `speed`, and in the newest frame at another."""
     window, footing = seen(0.0, speed), Footing()
     assert all(foot.phase is Phase.STANCE for foot in footing.feet)
-    return ComHeight().acceleration(window.moment(0.0), leap_speed(window, PLAYER, of), PLAYER, footing, of)
+    return ComHeight().acceleration(window.moment(0.0), newest, leap_speed(window, PLAYER, of), PLAYER, footing, of)
 
 
 def test_hips_that_rise_fast_on_nearly_straight_legs_are_braked():
@@ -86,6 +86,13 @@ def test_hips_that_rise_fast_on_nearly_straight_legs_are_braked():
     assert asked(body(crouched(0.2), speed=fast), 0.9) == pytest.approx(20.0 * (0.9 - fast))
     assert asked(body(crouched(0.03), speed=fast), 0.9) == pytest.approx(-BRAKE_RATE * (fast - math.sqrt(2.0 * BRAKE * room)))
     assert asked(body(crouched(0.03), speed=slow), 0.9) == asked(body(crouched(0.2), speed=slow), 0.9)
+
+
+def test_hips_are_not_braked_below_the_speed_at_which_the_player_rises():
+    """Who pushes off is on straight legs before his leap can be told from getting up."""
+    free = asked(body(crouched(0.2), speed=1.0), 0.9)
+    assert asked(body(crouched(0.03), speed=1.0), 0.9, newest=1.0) == free
+    assert asked(body(crouched(0.03), speed=1.0), 0.9, newest=0.8) == pytest.approx(-BRAKE_RATE * 0.2)
 
 
 def test_a_leap_is_never_braked():
