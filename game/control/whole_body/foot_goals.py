@@ -37,7 +37,7 @@ def foot_task(
         return
     follow(
         side, sole.centre, orientation, turn, twist, player.up[side], wish.place[side], wish.yaw[side], body.plan.joint[FEET[0], 2],
-        tuple(motion), player.overlay, player.turn_rad, foot.behind, foot.time_s, foot.fresh, weight, goal,
+        tuple(motion), player.overlay, player.turn_rad + wish.back_rad, foot.behind, foot.time_s, foot.fresh, weight, goal,
     )  # fmt: skip
     foot.fresh = False
 

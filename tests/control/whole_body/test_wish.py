@@ -13,18 +13,21 @@ from game.characters.skeleton import JOINT_COUNT
 from game.control.whole_body.motion_window import Motion
 from game.control.whole_body.player_stance import PlayerStance
 from game.control.whole_body.sole import ahead_of_ankle
-from game.control.whole_body.wish import INWARD_RAD, LEAST_APART_M, OUTWARD_RAD, wish_of
+from game.control.whole_body.wish import INWARD_RAD, LEAST_APART_M, MOST_TURN_RAD, OUTWARD_RAD, wish_of
 
-BODY: Any = SimpleNamespace(plan=load_body_plan("original"))
+PLAN = load_body_plan("original")
+BODY: Any = SimpleNamespace(plan=PLAN)
 
 
-def wish(heading=0.0, feet_yaw=(0.0, 0.0), ankles=((0.0, 0.12), (0.0, -0.12))):
+def wish(heading=0.0, feet_yaw=(0.0, 0.0), ankles=((0.0, 0.12), (0.0, -0.12)), facing=None):
+    """What a player with this heading wants of a character whose pelvis has the heading `facing`, the player's where that is None."""
     turn, none = np.zeros((JOINT_COUNT + 3, 4)), np.zeros((JOINT_COUNT + 3, 3))
     turn[:, 0] = 1.0
     for row, yaw in ((JOINT_COUNT, heading), (JOINT_COUNT + 1, feet_yaw[0]), (JOINT_COUNT + 2, feet_yaw[1])):
         turn[row] = rotation.about_z(yaw)
     place = np.array([[0.0, 0.0, 0.9], [*ankles[0], 0.08], [*ankles[1], 0.08], [0.0, 0.0, 1.0]])
-    return wish_of(PlayerStance(0.08), Motion(turn, none, none, place, np.zeros((4, 3)), np.zeros((4, 3))), BODY)
+    body: Any = SimpleNamespace(plan=PLAN, orientation=rotation.about_z(heading if facing is None else facing)[None])
+    return wish_of(PlayerStance(0.08), Motion(turn, none, none, place, np.zeros((4, 3)), np.zeros((4, 3))), body)
 
 
 def test_feet_that_legs_can_hold_are_wanted_as_they_are():
@@ -52,3 +55,21 @@ def test_no_foot_is_wanted_on_the_other_one(heading):
         apart = seen.place[0] - seen.place[1]
         assert -s * apart[0] + c * apart[1] == pytest.approx(LEAST_APART_M)
         np.testing.assert_allclose(seen.place.mean(axis=0), wish(heading, (heading, heading)).place.mean(axis=0), atol=1e-12)
+
+
+@pytest.mark.parametrize("facing", [0.4, -0.6])
+def test_a_character_that_faces_nearly_as_the_player_is_asked_for_his_stance(facing):
+    asked, his = wish(facing=facing), wish()
+    np.testing.assert_allclose(asked.place, his.place)
+    assert asked.yaw == his.yaw and asked.back_rad == 0.0
+
+
+@pytest.mark.parametrize("facing", [1.5, -2.4, 3.1])
+def test_a_character_that_faces_elsewhere_turns_to_the_player_in_steps(facing):
+    asked, his = wish(facing=facing), wish()
+    towards = facing - np.copysign(MOST_TURN_RAD, facing)
+    assert asked.yaw == pytest.approx((towards, towards)) and asked.back_rad == pytest.approx(towards)
+    np.testing.assert_allclose(asked.place.mean(axis=0), his.place.mean(axis=0), atol=1e-12)
+    apart = asked.place[0] - asked.place[1]
+    assert np.hypot(*apart) == pytest.approx(np.hypot(*(his.place[0] - his.place[1])))
+    assert np.arctan2(-apart[0], apart[1]) == pytest.approx(towards)
