@@ -201,6 +201,13 @@ def wrapped(angle_rad: float) -> float:
 
 
 @compiled
+def turn_within(heading_rad: float, from_rad: float, most_rad: float) -> float:
+    """rad that a heading has to turn to lie no farther than `most_rad` from another one; 0 where it does."""
+    off = wrapped(heading_rad - from_rad)
+    return min(max(off, -most_rad), most_rad) - off
+
+
+@compiled
 def about_z(angle_rad: float) -> Floats:
     """The quaternion of a turn about world z."""
     q = np.zeros(4)

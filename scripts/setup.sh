@@ -111,15 +111,16 @@ warm_up() {
     (cd "$root" && "$python" -m game.warm_up) || say "could not compile ahead; the lines above say why."
 }
 
-# Only the environment and the packages, nothing compiled.
+# Only the environment and the packages, nothing compiled; $fresh says whether packages came.
 set_up_packages() {
-    make_venv || exit 1
-    is_installed "$1" || install_packages "$1" || exit 1
-}
-
-set_up() {
+    fresh=
     make_venv || exit 1
     is_installed "$1" && return 0
     install_packages "$1" || exit 1
-    warm_up
+    fresh=yes
+}
+
+set_up() {
+    set_up_packages "$1"
+    [ -z "$fresh" ] || warm_up
 }

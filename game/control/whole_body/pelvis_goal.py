@@ -21,8 +21,7 @@ def held_by_feet(upright: Floats, spin: Floats, yaws: tuple[float, float], stand
     heading, back = one.yaw(upright), 0.0
     for side in range(2):
         if stands[side]:
-            off = one.wrapped(heading + back - yaws[side])
-            back += min(max(off, -TWIST_RAD), TWIST_RAD) - off
+            back += one.turn_within(heading + back, yaws[side], TWIST_RAD)
     if back == 0.0:
         return upright
     up = one.matrix(upright)[2]

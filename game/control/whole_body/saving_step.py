@@ -42,7 +42,7 @@ def saving_foot(soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wi
     for side in range(2):
         sole = soles[1 - side]
         pivot, landing = _at_touch_down(sole, xi, frequency, STEP_S)
-        goal = landing_goal(side, soles, xi, frequency, wish, STEP_S)
+        goal = _nearest_landing(side, sole, landing, wish)
         there = sole_corners(goal, wish.yaw[side], sole.half_length - PRESSURE_MARGIN_M, sole.half_width - PRESSURE_MARGIN_M)
         price.append(SHORT_PRICE * math.dist(nearest_inside(there, landing), landing) + math.dist(xi, pivot))
     return int(price[1] < price[0])
@@ -55,6 +55,11 @@ def landing_goal(side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: flo
     """
     other = soles[1 - side]
     _, landing = _at_touch_down(other, xi, frequency, time_s)
+    return _nearest_landing(side, other, landing, wish)
+
+
+def _nearest_landing(side: int, other: Sole, landing: Floats, wish: Wish) -> Floats:
+    """`landing_goal` beside the sole that stands, for a capture point (2,) that will be at `landing`."""
     there = sole_corners(wish.place[side], wish.yaw[side], other.half_length - LAND_ENDS_M, other.half_width - LAND_SIDES_M)
     place = wish.place[side] + landing - nearest_inside(there, landing)
     c, s = math.cos(other.yaw), math.sin(other.yaw)

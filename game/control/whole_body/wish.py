@@ -62,8 +62,7 @@ def _wished_soles(
         yaw = left if side == 0 else right
         ankle = laid_over(place[1 + side], overlay)
         out[side, 0], out[side, 1] = ankle[0] + ahead_m * math.cos(yaw), ankle[1] + ahead_m * math.sin(yaw)
-    off = one.wrapped(one.wrapped(heading + turn_rad) - facing)
-    back = min(max(off, -MOST_TURN_RAD), MOST_TURN_RAD) - off
+    back = one.turn_within(one.wrapped(heading + turn_rad), facing, MOST_TURN_RAD)
     if back != 0.0:
         left, right = left + back, right + back
         _turn_about_middle(out, back)

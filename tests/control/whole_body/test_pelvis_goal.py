@@ -12,7 +12,7 @@ SPIN = np.array([0.3, -0.2, 2.0])
 
 
 def facing(heading, yaws=(0.0, 0.0), stands=BOTH):
-    """Heading and orientation that come of a bowed pelvis that turns to `heading`, its spin, and both afterwards."""
+    """A bowed pelvis that is to turn to `heading`, what the feet let of that, and what is left of its spin."""
     upright, spin = rotation.multiply(rotation.about_z(heading), BOW), SPIN.copy()
     out = held_by_feet(upright, spin, yaws, stands)
     return upright, out, spin
