@@ -92,6 +92,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("gate.lock", True, "a planted foot stays where it is, on the floor"),
         Tunable("gate.plant_time_s", 0.33, "how slowly a planted foot drifts with the sensor", 0.0, 5.0, "s"),
         Tunable("gate.fade_time_s", 0.06, "how fast the lock lets go of a foot that lifts and brings one that lands to the floor", 0.0, 0.5, "s"),
+        Tunable("gate.flat", True, "the sole of a planted foot is flat, however the sensor tilts it"),
         Tunable("gate.pelvis", True, "the pelvis is as high as ankles and leg lengths say, where the sensor lets it sink (a bow) or rise"),
         Tunable("gate.leg_slack", 0.04, "share of a leg's length that may be missing before the pelvis is raised", 0.0, 0.3),
         Tunable("gate.tilt_rad_s", 4.0, "fastest tilt of pelvis and trunk; a deep bow makes the sensor flip between poses", 0.5, 50.0, "rad/s"),

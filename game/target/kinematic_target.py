@@ -11,6 +11,7 @@ from game.characters.skeleton import END_EFFECTOR_PARTS, JOINT_COUNT
 from game.compiled import compiled
 from game.intake.foot_contacts import STANDING, FootContacts
 from game.target.calibration import Calibration
+from game.target.flat_sole import FlatSoles
 from game.target.forward_kinematics import PosedSkeleton, pose_skeleton
 from game.target.inverse_kinematics import SOLVERS, clamp_targets
 from game.target.jacobian import jacobian_of
@@ -92,16 +93,20 @@ class TargetTracker:
         self._calibration = calibration
         self._settings = settings
         self._last: KinematicTarget | None = None
+        self._soles = FlatSoles()
 
     def step(self, time_s: float, joints: Floats, raw: Floats, contacts: FootContacts = STANDING) -> KinematicTarget:
         """The target for joints (20, 3) in the world frame; `raw` are the same joints before smoothing."""
         mapped = map_input(joints, self._calibration)
         raw_mapped = mapped if raw is joints else map_input(raw, self._calibration)
+        dt = 0.0 if self._last is None else time_s - self._last.time_s
         rotations = self._solve(mapped)
+        if self._settings.switch("gate.on") and self._settings.switch("gate.flat"):
+            rotations = self._soles.apply(mapped.root_orientation, rotations, contacts.planted, dt)
         pose = pose_skeleton(self._plan, mapped.root_position, mapped.root_orientation, rotations)
         velocity = np.zeros(3 * JOINT_COUNT)
-        if self._last is not None and time_s > self._last.time_s:
-            velocity = one.turns_to(self._last.joint_rotation, rotations) / (time_s - self._last.time_s)
+        if self._last is not None and dt > 0.0:
+            velocity = one.turns_to(self._last.joint_rotation, rotations) / dt
         com = pose.centre_of_mass(self._plan)
         root = mapped.root_position, mapped.root_orientation
         target = KinematicTarget(time_s, *root, rotations, velocity, pose, com, raw_mapped, contacts)
