@@ -9,6 +9,7 @@ COMMANDS: Mapping[str, str] = {
     "play": "game.commands.play",
     "benchmark": "game.commands.benchmark",
     "upright": "game.commands.upright",
+    "pushes": "game.commands.pushes",
     "kinect": "game.commands.kinect",
 }
 """Name to module; imported only when asked for, so that a run without a picture never imports what draws one."""
