@@ -1,4 +1,4 @@
-"""Measure how fast Topple is on this machine, in one run: the chain without a picture, the picture, the start."""
+"""Measure how fast Topple is on this machine, in one run: the chain without a picture, the picture, the start, the Kinect."""
 
 import argparse
 import json
@@ -81,6 +81,7 @@ def measure(seconds: float) -> dict[str, Any]:
     figures["drawing"] = part("drawing", environment={**ONE_THREAD, "GALLIUM_NOOP": "1"})
     for scene in ("mirror", "duel"):
         figures[f"headless_{scene}"] = part("headless", scene)
+    figures["kinect_reader"] = part("kinect_reader", "4", environment=ONE_THREAD)
     starts: list[dict[str, Any]] = []
     for _ in range(STARTS):
         began = time.time()
@@ -124,6 +125,7 @@ def table(figures: Mapping[str, Any]) -> list[Row]:
         Row("headless 640x360 low, one character", figures["headless_mirror"].get("frames_per_s"), "frames/s", 15.0),
         Row("headless 640x360 low, duel", figures["headless_duel"].get("frames_per_s"), "frames/s", 15.0),
         Row("start to first frame, warm", figures["start"].get("start_s"), "s", 3.0, more_is_better=False),
+        Row("reading a simulated Kinect", 100.0 * figures["kinect_reader"]["core_share"], "% of a core", 15.0, more_is_better=False),
     ]
     return rows
 

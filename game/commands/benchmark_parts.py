@@ -16,6 +16,7 @@ from game.scenes.simulation import HANG_FRAMES, Simulation
 from game.tunables import Settings
 
 RUNS = 5
+READER_RUNS = 3
 FRAMES = 300
 SETTLING_FRAMES = HANG_FRAMES + 60
 """The hang and the first second after the release: what comes then is the steady play."""
@@ -113,6 +114,15 @@ def first_frame(name: str) -> Figures:
     return {"finished_s": finished}
 
 
+def kinect_reader(seconds: str) -> Figures:
+    """Share of one core that the driver needs to read a simulated Kinect in real time, the simulation's own share taken off."""
+    from kinect.usb.reader_cost import reader_cost
+
+    costs = sorted((reader_cost(float(seconds)) for _ in range(READER_RUNS)), key=lambda cost: cost.cpu_share)
+    middle = costs[len(costs) // 2]
+    return {"core_share": middle.cpu_share, "with_simulation": middle.with_simulation, "frames_per_s": middle.frames / middle.seconds}
+
+
 def _app(name: str):
     """The loop on a window without a display, made as the play command makes it."""
     from game.app import App, Options
@@ -122,7 +132,13 @@ def _app(name: str):
     return App(casting.scene(name), settings, Options(headless=True, size=SIZE, quality="low"), casting)
 
 
-PARTS: Mapping[str, Callable[..., Figures]] = {"chain": chain, "drawing": drawing, "headless": headless, "first_frame": first_frame}
+PARTS: Mapping[str, Callable[..., Figures]] = {
+    "chain": chain,
+    "drawing": drawing,
+    "headless": headless,
+    "first_frame": first_frame,
+    "kinect_reader": kinect_reader,
+}
 
 
 def main(words: Sequence[str]) -> None:

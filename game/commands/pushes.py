@@ -10,12 +10,11 @@ from game.commands import DONE, BadInput
 from game.commands.output_file import check_output_file, write_report
 from game.commands.parallel import run_all, usable_cores
 from game.commands.push_case import WHILE, PushCase, Row, run_push_case
-from game.commands.set_option import apply_assignments
-from game.presets import PRESETS, apply_preset
+from game.commands.set_option import add_settings_options, measured_settings
 from game.progress import Progress
 from game.report.polar_plot import polar_plot
 from game.report.session_report import versions
-from game.tunables import Settings, TunableError
+from game.tunables import Settings
 from game.warm_up import tell_of_compiling
 
 DIRECTIONS_DEG = tuple(45.0 * k for k in range(8))
@@ -29,8 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--while", choices=tuple(WHILE), default="standing", dest="doing", help="what the player does meanwhile (default standing)")
     add("--tries", type=int, default=2, metavar="N", help="moments at which each push must be recovered from (default 2)")
     add("--seed", type=int, default=0, help="of the sensor model, where sensor.noise is set (default 0)")
-    add("--preset", choices=tuple(PRESETS), help="values for the whole method; default: default")
-    add("--set", action="append", default=[], metavar="NAME=VALUE", dest="sets", help="set one tunable; may be given again")
+    add_settings_options(parser)
     add("--jobs", type=int, default=usable_cores(), metavar="N", help="directions at a time (default: one a core)")
     add("--report", type=Path, metavar="FILE.json", help="write every push, and beside it the polar plot as FILE.png")
 
@@ -67,17 +65,8 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def settings_from(arguments: argparse.Namespace) -> Settings:
-    """Defaults, the preset, no mirroring, a body that collides with itself, then the options; raises BadInput."""
-    settings = Settings()
-    try:
-        if arguments.preset:
-            apply_preset(settings, arguments.preset)
-        settings.set("intake.mirror", False)
-        settings.set("physics.self_collision", True)
-        apply_assignments(settings, arguments.sets)
-    except TunableError as fault:
-        raise BadInput(str(fault)) from fault
-    return settings
+    """What is measured with: a body that collides with itself; raises BadInput."""
+    return measured_settings(arguments, {"physics.self_collision": True})
 
 
 def summary(rows: list[Row]) -> dict[str, Any]:

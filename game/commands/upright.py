@@ -10,9 +10,8 @@ from game.characters.body_plan import BUILT_IN, BodyPlanError, load_body_plan
 from game.commands import BAD_INPUT, DONE, BadInput
 from game.commands.output_file import check_output_file, write_report
 from game.commands.parallel import run_all, usable_cores
-from game.commands.set_option import apply_assignments
+from game.commands.set_option import add_settings_options, measured_settings
 from game.commands.upright_case import Case, Row, run_case
-from game.presets import PRESETS, apply_preset
 from game.progress import Progress
 from game.report.session_report import versions
 from game.report.thesis_tables import CLIP_S, TABLE_3, TABLE_4, beside_the_thesis
@@ -37,8 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add("--strategies", nargs="+", metavar="NAME", help=f"of {', '.join(TUNABLES['balance.strategy'].choices)} (default: the preset's)")
     add("--ik", nargs="+", metavar="NAME", help=f"of {', '.join(TUNABLES['ik.method'].choices)} (default: the preset's)")
-    add("--preset", choices=tuple(PRESETS), help="values for the whole method; default: default")
-    add("--set", action="append", default=[], metavar="NAME=VALUE", dest="sets", help="set one tunable; may be given again")
+    add_settings_options(parser)
     add("--noise", metavar="X", help="short for --set sensor.noise=X; acts on performers only")
     add("--outliers", metavar="X", help="short for --set sensor.outliers=X; acts on performers only")
     add("--latency", metavar="S", help="short for --set sensor.latency_s=S; acts on performers only")
@@ -71,20 +69,9 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def settings_from(arguments: argparse.Namespace) -> Settings:
-    """Defaults, the preset, no mirroring (as in every report), then the options; raises BadInput."""
-    settings = Settings()
+    """What is played with; raises BadInput."""
     options = {"sensor.noise": arguments.noise, "sensor.outliers": arguments.outliers, "sensor.latency_s": arguments.latency}
-    try:
-        if arguments.preset:
-            apply_preset(settings, arguments.preset)
-        settings.set("intake.mirror", False)
-        for name, value in options.items():
-            if value is not None:
-                settings.set(name, value)
-        apply_assignments(settings, arguments.sets)
-    except TunableError as fault:
-        raise BadInput(str(fault)) from fault
-    return settings
+    return measured_settings(arguments, options)
 
 
 def cases_from(arguments: argparse.Namespace, settings: Settings) -> list[Case]:

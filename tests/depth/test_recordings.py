@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -148,10 +149,16 @@ def test_real_millimetre_clips_come_back_within_two_millimetres(name: str) -> No
         assert np.abs(back - millimetres).max() <= 2.0
 
 
-def test_recording_a_second_costs_a_third_of_one_core(tmp_path: Path) -> None:
+def test_recording_costs_less_than_half_of_packing_the_same_pictures_harder(tmp_path: Path) -> None:
+    """Both in the same run, so that the machine's own speed does not count."""
     frames = session(30)
-    begun = time.process_time()
+    pictures = np.stack([frame.raw for frame in frames]).tobytes()
+    times = [time.process_time()]
+    zlib.compress(pictures, 6)
+    times.append(time.process_time())
     with DepthRecorder(tmp_path / "out") as recorder:
         for frame in frames:
             recorder.write(frame)
-    assert time.process_time() - begun < 1.5  # 0.5 s measured for such noisy pictures; real ones take 0.3 s
+    times.append(time.process_time())
+    packing, recording = np.diff(times)
+    assert recording < 0.5 * packing

@@ -22,6 +22,7 @@ def figures(**other: Any) -> dict[str, Any]:
         "headless_mirror": shown,
         "headless_duel": shown,
         "start": start,
+        "kinect_reader": {"core_share": 0.12},
         **other,
     }
 
@@ -35,6 +36,7 @@ def test_goals_are_met_on_their_own_side() -> None:
         "headless 640x360 low, one character": True,
         "headless 640x360 low, duel": True,
         "start to first frame, warm": True,
+        "reading a simulated Kinect": True,
     }
     slow = figures(drawing={"render_ms": 1.2, "posing_ms": 0.2}, start={"start_s": 3.1}, headless_duel={"frames_per_s": 14.0})
     assert [row.what for row in table(slow) if row.met is False] == [

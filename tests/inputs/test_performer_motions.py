@@ -1,14 +1,11 @@
 """The eight motions are what they are called, and none of them is tame."""
 
 import itertools
-import time
 
 import numpy as np
 import pytest
 
-from game.inputs.performance.motion import Motion
 from game.inputs.performance.person import point_masses
-from game.inputs.performance.repertoire import SCRIPTS
 from game.inputs.performer import Performer
 from kinect.body import Joint
 from tests.inputs.performer_ground import ALL, ANKLES, STEP_S, bearing, performed, rate, sole
@@ -148,13 +145,3 @@ def test_each_jump_clears_five_centimetres_and_a_fifth_of_a_second_from_a_crouch
         before, after = (t > t[a] - 0.6) & (t < t[a]), (t > t[b]) & (t < t[b] + 0.6)
         for part in (before, after):
             assert all(np.degrees(bend(joints[part], leg).max()) > 60.0 for leg in LEGS)
-
-
-def test_the_motions_are_built_in_no_time():
-    for name, script in SCRIPTS.items():
-        spent = []
-        for _ in range(2):
-            start = time.process_time()
-            Motion(script()).joints(np.zeros(1))
-            spent.append(time.process_time() - start)
-        assert min(spent) < 1.0, name
