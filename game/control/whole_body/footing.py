@@ -1,12 +1,11 @@
 """Planning of contacts: when a foot may lift, when it has landed, and the steps that save the balance or mend the stance."""
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from game.control.whole_body.capture_point import escape_of_soles
 from game.control.whole_body.contact_states import FootState, Phase
+from game.control.whole_body.mending import SLOW_M, Mending
 from game.control.whole_body.saving_step import STEP_S, landing_goal, saving_foot
 from game.control.whole_body.sole import Sole, polygon
 from game.control.whole_body.support_polygon import distance_inside
@@ -20,13 +19,15 @@ LOST_M = 0.03
 NEAR_FLOOR_M = 0.08
 """A foot on its way down counts for the balance from here on."""
 
-RETURN_S = 0.4
+RETURN_S, MEND_MARGIN_M = 0.3, 0.02
+"""A foot that is put right takes so long, and is lifted once the capture point lies this far inside the other sole."""
+
+LIFT_AGAIN_M = 0.012
+"""A foot that had to come down at once is lifted again once the capture point lies this far inside the other sole."""
+
 LOOK_AHEAD_S = 0.1
 OUT_NOW_M, OUT_SOON_M, OUT_LONG_S = 0.015, 0.05, 0.12
 """A step saves the balance once the capture point is that far outside, will be by then, or has been outside so long."""
-
-AMISS_S = 0.6
-"""A stance that is not the player's is mended after so long."""
 
 
 class Footing:
@@ -38,20 +39,27 @@ class Footing:
         self.landed_s = 10.0
         """Since the last flight."""
         self.outside_s = 0.0
-        self.amiss_s = 0.0
+        self.missed = [False, False]
+        """Feet that the player has up and that had to come down again."""
+        self.mending = Mending()
         self.intended: int | None = None
         """The foot that is about to carry all, None for both."""
 
-    def update(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, calm: bool, taking_off: bool, dt: float) -> None:
-        for foot in self.feet:
+    def update(
+        self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, sway_m: float, thrown: bool, taking_off: bool, dt: float
+    ) -> None:  # fmt: skip
+        """sway_m: from the COM to the capture point xi (2,); thrown: a push was felt; taking_off: a leap begins."""
+        for side, foot in enumerate(self.feet):
             foot.time_s += dt
+            self.missed[side] = self.missed[side] and wish.up[side]
         self._land(soles, wish)
+        self.mending.watch(thrown, dt)
         self.intended = None
         standing = [side for side in range(2) if self.feet[side].stands]
         if self._fly(soles, wish, taking_off, dt):
             return
         if len(standing) == 2:
-            self._lift(soles, xi, wish, calm, dt)
+            self._lift(soles, xi, wish, sway_m, dt)
         elif len(standing) == 1:
             self.intended = standing[0]
         self._recover(soles, xi, frequency, wish, dt)
@@ -71,7 +79,10 @@ class Footing:
         for side, foot in enumerate(self.feet):
             touches = soles[side].touches
             if foot.stands and not touches and soles[side].centre[2] > LOST_M:
-                foot.enter(Phase.SWING)
+                if side == self.mending.side:
+                    self._put_right(side, soles, wish)
+                else:
+                    foot.enter(Phase.SWING)
             landed = foot.phase is Phase.SWING and foot.time_s > 0.08 and not wish.up[side]
             landed = landed or (foot.phase is Phase.STEP and foot.time_s > 0.6 * foot.duration_s)
             if landed and touches:
@@ -96,34 +107,35 @@ class Footing:
                         foot.enter(Phase.STANCE if soles[side].centre[2] < 0.06 else Phase.SWING)
         return self.flying
 
-    def _lift(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, calm: bool, dt: float) -> None:
-        side = self._to_lift(soles, wish, calm, dt)
-        if side is None:
+    def _lift(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, sway_m: float, dt: float) -> None:
+        side = self._to_lift(soles, xi, wish, sway_m, dt)
+        if side is None or (not wish.up[side] and sway_m > SLOW_M):
             return
         self.intended = other = 1 - side
         # over the other sole it can be steered both ways; whoever waits until it rests there lifts no foot of a player who marches
-        if not soles[other].touches or distance_inside(soles[other].corners(0.0), xi) < 0.0:
+        margin = (LIFT_AGAIN_M if self.missed[side] else 0.0) if wish.up[side] else MEND_MARGIN_M
+        if not soles[other].touches or distance_inside(soles[other].corners(0.0), xi) < margin:
             return
         if wish.up[side]:
             self.feet[side].enter(Phase.SWING)
         else:
-            goal = soles[side].centre.copy()
-            goal[:2] = wish.place[side]
-            self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, wish.yaw[side], RETURN_S)
-            self.amiss_s = 0.0
+            self._put_right(side, soles, wish)
 
-    def _to_lift(self, soles: tuple[Sole, Sole], wish: Wish, calm: bool, dt: float) -> int | None:
-        """The foot that the player has up, or the one that stands farthest from where it should, once that has lasted."""
-        if wish.up[0] != wish.up[1]:
-            return 0 if wish.up[0] else 1
-        if wish.up[0]:
-            return None
-        astray = [_astray(soles[side], wish, side) for side in range(2)]
-        worst = int(astray[1] > astray[0])
-        self.amiss_s = self.amiss_s + dt if astray[worst] > 1.0 and calm else 0.0
-        if astray[worst] > 1.0 and self.amiss_s > AMISS_S:
-            return worst
-        return None
+    def _put_right(self, side: int, soles: tuple[Sole, Sole], wish: Wish) -> None:
+        """Step to where the player has the foot; after a push to as far from the foot that stays as the player's are apart."""
+        goal = soles[side].centre.copy()
+        goal[:2] = wish.place[side]
+        if self.mending.side is not None:
+            goal[:2] += soles[1 - side].centre[:2] - wish.place[1 - side]
+        self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, wish.yaw[side], RETURN_S)
+        self.mending.drop()
+
+    def _to_lift(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, sway_m: float, dt: float) -> int | None:
+        """The foot that the player has up, or the one whose stance is to be mended."""
+        if wish.up[0] or wish.up[1]:
+            self.mending.drop()
+            return None if wish.up[0] and wish.up[1] else int(wish.up[1])
+        return self.mending.choose(soles, xi, wish, sway_m, dt)
 
     def _recover(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, dt: float) -> None:
         standing = [side for side in range(2) if self.feet[side].stands]
@@ -142,6 +154,7 @@ class Footing:
             side = 1 - standing[0]
             foot = self.feet[side]
             if foot.phase is Phase.SWING:
+                self.missed[side] = wish.up[side]
                 self._step(side, soles, xi, frequency, wish)
             else:
                 self._retarget(soles, xi, frequency, wish)
@@ -161,10 +174,6 @@ class Footing:
         goal = landing_goal(side, soles, xi, frequency, wish, STEP_S)
         self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, soles[1 - side].yaw, STEP_S)
         self.outside_s = 0.0
+        self.mending.drop()
+        self.mending.watch(True, 0.0)
         self.intended = 1 - side
-
-
-def _astray(sole: Sole, wish: Wish, side: int) -> float:
-    """How far a planted foot is from where it should stand; beyond 1 it wants mending."""
-    ahead, left = wish.place[side, 0] - sole.centre[0], wish.place[side, 1] - sole.centre[1]
-    return max(math.hypot(ahead, left) / 0.09, abs(math.remainder(wish.yaw[side] - sole.yaw, math.tau)) / 0.4)

@@ -15,6 +15,9 @@ Floats = NDArray[np.float64]
 FLOOR_TIME_S, PLACE_TIME_S = 1.0, 1.0
 """How fast the heights and places of two planted feet become the floor and the place that the character stands on."""
 
+PIVOT_TIME_S = 0.1
+"""How fast the place of the foot that stays does while the other one is put where the player has it."""
+
 Overlay = tuple[float, float, float, float, float]
 """How one world lies over another: x, y (m), cosine and sine of the turn, height of the floor (m)."""
 
@@ -53,11 +56,12 @@ class PlayerStance:
         self.up = [not planted for planted in target.contacts.planted]
         self.flight = target.contacts.flight
 
-    def drift(self, target: KinematicTarget, ankles: Floats, dt: float) -> None:
-        """Both stand on both feet: floor and place follow slowly."""
-        self.overlay = _drifted(
-            self.overlay, target.pose.joint, ankles, self._rest, min(dt / FLOOR_TIME_S, 1.0), min(dt / PLACE_TIME_S, 1.0)
-        )
+    def drift(self, target: KinematicTarget, ankles: Floats, pivot: int | None, dt: float) -> None:
+        """Both stand on both feet: floor and place follow slowly, or fast the place of the one foot `pivot` that is to stay."""
+        left = 0.5 if pivot is None else 1.0 - pivot
+        place_s = PLACE_TIME_S if pivot is None else PIVOT_TIME_S
+        floor, place = min(dt / FLOOR_TIME_S, 1.0), min(dt / place_s, 1.0)
+        self.overlay = _drifted(self.overlay, target.pose.joint, ankles, left, self._rest, floor, place)
 
     def place(self, point: Floats) -> Floats:
         """A point (3,) of the player's world in the character's."""
@@ -90,11 +94,17 @@ def turned_over(vector: Floats, overlay: Overlay) -> Floats:
 
 
 @compiled
-def _drifted(overlay: Overlay, joint: Floats, ankles: Floats, rest_m: float, floor_share: float, place_share: float) -> Overlay:
-    """The overlay once joint (15, 3) of the player has come nearer to the character's ankles (2, 3) and its floor, by a share each."""
+def _drifted(
+    overlay: Overlay, joint: Floats, ankles: Floats, left: float, rest_m: float, floor_share: float, place_share: float
+) -> Overlay:  # fmt: skip
+    """The overlay once joint (15, 3) of the player has come nearer to the character's floor and ankles (2, 3), by a share each.
+
+    left: what the left ankle counts; the right one counts the rest.
+    """
     x, y, c, s, floor_z = overlay
     theirs = 0.5 * (joint[FEET[0]] + joint[FEET[1]])
-    gap = 0.5 * (ankles[0] + ankles[1]) - laid_over(theirs, overlay)
+    stands = left * joint[FEET[0]] + (1.0 - left) * joint[FEET[1]]
+    gap = left * ankles[0] + (1.0 - left) * ankles[1] - laid_over(stands, overlay)
     return x + place_share * gap[0], y + place_share * gap[1], c, s, floor_z + floor_share * (theirs[2] - rest_m - floor_z)
 
 

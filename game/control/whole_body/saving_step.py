@@ -21,22 +21,24 @@ OVERSTEP = 1.2
 LAND_ENDS_M, LAND_SIDES_M = 0.1, 0.05
 """It brings the sole so well under the capture point that it lies this far inside."""
 
-LEAST_SIDE_M, CROSS_AHEAD_M, CROSS_SIDE_M = 0.13, 0.27, 0.3
+LEAST_SIDE_M, CROSS_AHEAD_M, CROSS_SIDE_M = 0.13, 0.32, 0.3
 """It lands at least so far to its own side of the other foot, or at least so far before or behind it and at most so far across."""
 
 REACH_M = 0.7
 """From the other foot, at most."""
 
-SHORT_PRICE = 2.0
-"""Of a metre that a step falls short of the capture point, against one that the capture point is away from the foot stood on."""
+CROSS_PRICE_M, SHORT_PRICE = 0.2, 2.0
+"""Of crossing over, where the other leg is in the way, and of a metre that the step falls short of the capture point: against a metre
+that the capture point is away from the foot stood on."""
 
 
 def saving_foot(soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> int:
     """Which of two standing feet steps.
 
     The other is stood on meanwhile, and the capture point flees from it the faster the farther away it already is: the foot is chosen
-    for which that distance and what its step will fall short by, at SHORT_PRICE, are least together. Sideways it is therefore the foot
-    on the side of the fall as long as it need not be fast, then the other one, crossing over; else the one that trails.
+    for which that distance and what its step will fall short by, at SHORT_PRICE, are least together, with CROSS_PRICE_M where it has to
+    cross over. Sideways it is therefore the foot on the side of the fall, the other one where that cannot be fast enough; else the one
+    that trails.
     """
     price = []
     for side in range(2):
@@ -44,8 +46,17 @@ def saving_foot(soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wi
         pivot, landing = _at_touch_down(sole, xi, frequency, STEP_S)
         goal = _nearest_landing(side, sole, landing, wish)
         there = sole_corners(goal, wish.yaw[side], sole.half_length - PRESSURE_MARGIN_M, sole.half_width - PRESSURE_MARGIN_M)
-        price.append(SHORT_PRICE * math.dist(nearest_inside(there, landing), landing) + math.dist(xi, pivot))
+        crosses = _aside(side, sole, goal) < LEAST_SIDE_M - 1e-6
+        short = math.dist(nearest_inside(there, landing), landing)
+        price.append(CROSS_PRICE_M * crosses + SHORT_PRICE * short + math.dist(xi, pivot))
     return int(price[1] < price[0])
+
+
+def _aside(side: int, other: Sole, goal: Floats) -> float:
+    """m that a goal (3,) of foot `side` lies to its own side of the other foot."""
+    x, y, _ = goal - other.centre
+    left = math.cos(other.yaw) * y - math.sin(other.yaw) * x
+    return left if side == 0 else -left
 
 
 def landing_goal(side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, time_s: float) -> Floats:

@@ -6,13 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
-from game.characters.skeleton import DOF_COUNT, FEET, JOINT_COUNT
+from game.characters.skeleton import FEET, JOINT_COUNT
 from game.characters.strength import joint_strength
 from game.control.ankle_strategy import AnkleStrategy
 from game.control.gains import gains
 from game.control.joint_command import BodyState, JointCommand
 from game.control.whole_body.capture_point import capture_point, natural_frequency, players_capture_point, steer
 from game.control.whole_body.contact_wrenches import cone_rows
+from game.control.whole_body.felt_push import FeltPush
 from game.control.whole_body.foot_goals import flight_task, foot_task
 from game.control.whole_body.footing import Footing
 from game.control.whole_body.hold_damping import hold
@@ -36,9 +37,6 @@ GOAL_TIME_S = 0.04
 GOAL_MARGIN_M, GOAL_ENDS_M = 0.045, 0.035
 """The capture point is wanted this far inside the soles, and this much more from heels and toes: there is room left to push with."""
 
-CALM_M = 0.05
-"""A capture point no farther from the COM than this belongs to a body at rest."""
-
 LEAST_LOAD = 0.5
 """Share of the weight that the floor is reckoned with at least when it is to push sideways."""
 
@@ -55,7 +53,7 @@ PLANNED = 0.9
 HELD_BY_RAD_S = 8.0
 """A limb that loses what it pushed against between two ticks is held at least as if it took its whole strength this far off its speed."""
 
-_NO_ROWS = np.zeros((0, DOF_COUNT))
+_NO_ROWS = np.zeros((0, 0))
 _NOTHING = np.zeros(3 * JOINT_COUNT)
 _PRICE = 1e-6 * np.tile([1.0, 1.0, 1.0, 21.0, 6.0, 21.0], 2)
 """What a wrench costs, so that the least one is taken."""
@@ -89,12 +87,12 @@ class WholeBody:
         self.com_target = np.zeros(3)
         self._ready = False
         self._hanging = AnkleStrategy(settings)
-        self._cone_of, self._cone_rows = (0.0, 0), _NO_ROWS
         self._posed = room_for_posed()
 
     def reset(self, dynamics: BodyState) -> None:
         self._ready = True
         self.footing = Footing()
+        self.felt = FeltPush()
         self._full_strength, self._numbers_of = np.array(joint_strength(dynamics.plan)), (-1, 0.0)
         self._total_mass = float(dynamics.subtree_mass[0])
         self._hanging.reset(dynamics)
@@ -135,7 +133,8 @@ class WholeBody:
             self._window.add(target, 2.0 * self._settings.number("whole_body.delay_s"))
             self._player.watch(target)
         if not any(self._player.up) and all(foot.stands for foot in self.footing.feet):
-            self._player.drift(target, ankles, dt)
+            mending = self.footing.mending.side
+            self._player.drift(target, ankles, None if mending is None else 1 - mending, dt)
 
     def _plan(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole], dt: float) -> float:
         """What the feet do and where the pressure is to be; gives omega."""
@@ -143,11 +142,12 @@ class WholeBody:
         frequency = natural_frequency(body.gravity, float(body.com[2]) - floor)
         xi = capture_point(body.com, body.com_velocity, frequency)
         self._wish = wish_of(self._player, motion, body)
-        calm = math.hypot(xi[0] - body.com[0], xi[1] - body.com[1]) < CALM_M
+        sway_m = math.hypot(xi[0] - body.com[0], xi[1] - body.com[1])
         self._leap = leap_speed(self._window, self._player, body)
         leaving = taking_off(self._leap, self._player, body, sum(self.wrench[2::6].tolist()))
-        self.footing.update(soles, xi, frequency, self._wish, calm, leaving, dt)
         goal = self._capture_goal(frequency, dt)
+        self.felt.feel(body.com_velocity, self.wrench, self._total_mass, dt)
+        self.footing.update(soles, xi, frequency, self._wish, sway_m, self.felt.thrown, leaving, dt)
         goal_hull = self.footing.goal_hull(soles, GOAL_MARGIN_M, GOAL_ENDS_M)
         hull = self.footing.hull(soles, PRESSURE_MARGIN_M)
         x, y, *pressure = steer(*goal, goal_hull, xi, frequency, self._settings.number("whole_body.capture_rate"), hull)
@@ -183,7 +183,7 @@ class WholeBody:
             com_goal[2] = lift
         # who leaves the floor or meets it must not turn: there is nothing to come back with in the air
         leaping = self.footing.landed_s < LANDED_S or self._leap > 0.0
-        numbers, cone, price = self._tunables(leaping, dt), self._cone(soles[0], standing), _PRICE[: 6 * len(standing)]
+        numbers, cone, price = self._tunables(leaping, dt), self._cone(soles, standing), _PRICE[: 6 * len(standing)]
         within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
             Wanted(
@@ -236,12 +236,12 @@ class WholeBody:
             else:
                 foot_task(side, soles[side], foot, twist[side], motion, player, wish, body, weight[side], goal[side])
 
-    def _cone(self, sole: Sole, standing: tuple[int, ...]) -> Floats:
+    def _cone(self, soles: tuple[Sole, Sole], standing: tuple[int, ...]) -> Floats:
+        if not standing:
+            return _NO_ROWS
         friction = 0.9 * min(self._settings.number("physics.friction"), 1.0)
-        if self._cone_of != (friction, len(standing)):
-            self._cone_of = (friction, len(standing))
-            self._cone_rows = cone_rows(len(standing), friction, sole.half_length - 0.015, sole.half_width - 0.01, 0.08)
-        return self._cone_rows
+        yaws = tuple(soles[side].yaw for side in standing)
+        return cone_rows(yaws, friction, soles[0].half_length, soles[0].half_width)
 
     def _limp(self, target: KinematicTarget, body: BodyState) -> JointCommand:
         """On the floor: the target's pose with little strength."""

@@ -27,7 +27,7 @@ class Scene:
         self.xi = CENTRED.copy()
         self.up, self.flight = (False, False), False
         self.wished, self.wished_yaw = STAND.copy(), (0.0, 0.0)
-        self.calm, self.taking_off = True, False
+        self.sway_m, self.thrown, self.taking_off = 0.0, False, False
 
     def soles(self) -> tuple[Sole, Sole]:
         return self.sole(LEFT), self.sole(RIGHT)
@@ -39,7 +39,7 @@ class Scene:
     def go(self, seconds=DT):
         for _ in range(max(1, round(seconds / DT))):
             wish = Wish(self.up, self.flight, self.wished.copy(), self.wished_yaw)
-            self.footing.update(self.soles(), self.xi, OMEGA, wish, self.calm, self.taking_off, DT)
+            self.footing.update(self.soles(), self.xi, OMEGA, wish, self.sway_m, self.thrown, self.taking_off, DT)
         return self.phases()
 
     def phases(self):

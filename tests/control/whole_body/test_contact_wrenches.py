@@ -1,24 +1,27 @@
 """The wrenches of the soles: within friction and inside the sole always, and no better ones exist."""
 
+import math
+
 import numpy as np
 import pytest
 
 from game.control.whole_body.contact_wrenches import CONE_ROWS, cone_rows, solve_wrenches
 
-FRICTION, LENGTH, WIDTH, TWIST = 0.7, 0.13, 0.04, 0.08
+FRICTION, LENGTH, WIDTH, YAW = 0.7, 0.13, 0.04, 0.6
+SQUARE = FRICTION / math.sqrt(2.0)
 NO_ROWS, NONE = np.zeros((0, 12)), np.zeros(0)
 
 
-def cone(feet=2):
-    return cone_rows(feet, FRICTION, LENGTH, WIDTH, TWIST)
+def cone(feet=2, yaw=YAW):
+    return cone_rows((yaw, -0.5 * yaw)[:feet], FRICTION, LENGTH, WIDTH)
 
 
-def rays(feet=2):
-    """(k, 6 feet) the extreme wrenches of each foot: 1 N of load with the friction and the moments at their corners."""
-    pushes = [(FRICTION, 0.0), (-FRICTION, 0.0), (0.0, FRICTION), (0.0, -FRICTION)]
-    corners = [(sx * WIDTH, sy * LENGTH, sz * TWIST) for sx in (-1, 1) for sy in (-1, 1) for sz in (-1, 1)]
-    one = np.array([[*push, 1.0, *corner] for push in pushes for corner in corners])
-    return np.concatenate([np.hstack((np.zeros((len(one), 6 * f)), one, np.zeros((len(one), 6 * (feet - f - 1))))) for f in range(feet)])
+def of_corners(forces, yaw=YAW):
+    """(6,) the wrench of forces (4, 3), in the sole's axes, at its four corners: the force in the world, the moment in the sole's axes."""
+    corners = np.array([(sx * LENGTH, sy * WIDTH, 0.0) for sx in (-1, 1) for sy in (-1, 1)])
+    c, s = math.cos(yaw), math.sin(yaw)
+    (x, y, z), moment = np.sum(forces, axis=0), np.cross(corners, forces).sum(axis=0)
+    return np.array([c * x - s * y, s * x + c * y, z, *moment])
 
 
 def problem(seed, size=12):
@@ -27,15 +30,46 @@ def problem(seed, size=12):
     return root @ root.T + 0.1 * np.eye(size), 100.0 * rng.normal(size=size)
 
 
-def test_the_rows_allow_exactly_the_wrenches_between_the_extreme_ones():
+def test_whatever_the_corners_can_push_with_is_allowed():
+    """Each corner within its own friction, by the square and by the pyramid alike."""
+    rng = np.random.default_rng(0)
+    for _ in range(300):
+        load = rng.exponential(size=4) * rng.integers(0, 2, 4)
+        angle, share = rng.uniform(0.0, math.tau, 4), rng.uniform(0.0, SQUARE, 4)
+        forces = np.column_stack((share * load * np.cos(angle), share * load * np.sin(angle), load))
+        assert (cone(1) @ of_corners(forces)).max() <= 1e-12
+
+
+def test_where_the_pressure_is_at_a_corner_nothing_can_twist_the_sole():
+    at_corner = of_corners([(0.0, 0.0, 0.0)] * 3 + [(0.0, 0.0, 1.0)])
+    assert (cone(1) @ at_corner).max() == pytest.approx(0.0, abs=1e-12)
+    for twist in (-0.001, 0.001):
+        assert (cone(1) @ (at_corner + [0.0, 0.0, 0.0, 0.0, 0.0, twist])).max() > 0.0
+
+
+def test_a_sole_that_bears_evenly_can_be_twisted_as_far_as_its_corners_hold():
+    """By forces across the length at all four corners and along it, each with the square's friction."""
+    even = np.array([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    most = SQUARE * (LENGTH + WIDTH)
+    assert (cone(1) @ (even + [0, 0, 0, 0, 0, most])).max() == pytest.approx(0.0, abs=1e-12)
+    assert (cone(1) @ (even - [0, 0, 0, 0, 0, 1.001 * most])).max() > 0.0
+
+
+@pytest.mark.parametrize("yaw", [0.0, 1.2, -2.5])
+def test_a_sole_that_pushes_sideways_with_all_its_friction_at_its_toes_is_twisted_by_forces_along_it_alone(yaw):
+    toes = of_corners([(0.0, 0.0, 0.0)] * 2 + [(0.0, 0.5 * SQUARE, 0.5)] * 2, yaw)
+    along = np.array([0.0, 0.0, 0.0, 0.0, 0.0, SQUARE * WIDTH])
+    assert (cone(1, yaw) @ (toes + along)).max() == pytest.approx(0.0, abs=1e-12)
+    assert (cone(1, yaw) @ (toes + 1.001 * along)).max() > 0.0
+
+
+def test_a_little_more_of_a_force_than_friction_holds_is_too_much():
     rows = cone(1)
     assert rows.shape == (CONE_ROWS, 6)
-    assert (rays(1) @ rows.T).max() <= 1e-12
-    # and a little more of anything is too much
-    for k, much in enumerate((FRICTION, FRICTION, -1.0, WIDTH, LENGTH, TWIST)):
-        wrench = np.array([0.0, 0.0, 1.0 if k != 2 else 0.0, 0.0, 0.0, 0.0])
-        wrench[k] = 1.001 * much
-        assert (rows @ wrench).max() > 0.0
+    for force in ((FRICTION, 0.0), (0.0, -FRICTION)):
+        assert (rows[:9] @ [*force, 1.0, 0.0, 0.0, 0.0]).max() <= 1e-12
+        assert (rows @ [1.001 * force[0], 1.001 * force[1], 1.0, 0.0, 0.0, 0.0]).max() > 0.0
+    assert (rows @ [0.0, 0.0, -1.0, 0.0, 0.0, 0.0]).max() > 0.0
 
 
 def test_a_moment_about_the_length_of_the_sole_is_bounded_by_its_width():
@@ -46,14 +80,12 @@ def test_a_moment_about_the_length_of_the_sole_is_bounded_by_its_width():
 
 @pytest.mark.parametrize("seed", range(8))
 def test_no_wrench_within_the_cone_costs_less(seed):
-    """On a cone w is best where its own direction has no slope and every extreme ray leads uphill."""
+    """The slope is a sum of the rows that hold, so that every way down leads out of the cone."""
     quadratic, linear = problem(seed)
     wrench = solve_wrenches(quadratic, linear, cone(), NO_ROWS, NONE, NONE)
     assert wrench is not None
-    slope = quadratic @ wrench + linear
     assert (cone() @ wrench).max() <= 1e-6
-    assert (rays() @ slope).min() >= -1e-5
-    assert abs(wrench @ slope) <= 1e-4
+    assert_held_by([row for row in cone() if row @ wrench > -1e-6], quadratic @ wrench + linear)
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -73,7 +105,10 @@ def test_limited_rows_stay_between_their_limits_at_the_least_cost(seed):
     active = [row for row in cone() if row @ wrench > -1e-6]
     active += [row for row, bound in zip(rows, high, strict=True) if row @ wrench > bound - 1e-6]
     active += [-row for row, bound in zip(rows, low, strict=True) if row @ wrench < bound + 1e-6]
-    slope = quadratic @ wrench + linear
+    assert_held_by(active, quadratic @ wrench + linear)
+
+
+def assert_held_by(active, slope):
     push, left = non_negative(np.array(active).T, -slope)
     assert left <= 1e-4 * max(np.abs(slope).max(), 1.0)
     assert push.min() >= 0.0

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from game.control.whole_body.footing import RETURN_S
+from game.control.whole_body.footing import LIFT_AGAIN_M, RETURN_S
 from game.control.whole_body.support_polygon import convex_hull, distance_inside
 from tests.control.whole_body.footing_scene import CENTRED, HALF_WIDTH, LEFT, RIGHT, STAND, STANDS, STEPS, SWINGS, Scene
 
@@ -34,6 +34,32 @@ def test_the_capture_point_must_be_over_the_other_sole(scene):
     scene.xi = edge + [0.0, 0.003]
     assert scene.go(0.2) == (STANDS, STANDS)
     scene.xi = edge - [0.0, 0.003]
+    assert scene.go() == (SWINGS, STANDS)
+
+
+def test_a_foot_that_had_to_come_down_again_is_lifted_only_once_the_weight_is_well_over_the_other(scene):
+    """A player who marches is followed at the edge; one who goes on standing on one leg gets a stand that lasts."""
+    scene.up = (True, False)
+    edge = STAND[RIGHT] + [0.0, HALF_WIDTH]
+    scene.xi = edge - [0.0, 0.003]
+    scene.go()
+    scene.lift_off(LEFT)
+    scene.xi = edge + [0.0, 0.02]
+    assert scene.go(0.2)[LEFT] is STEPS
+    scene.put_down(LEFT)
+    scene.xi = edge - [0.0, 0.003]
+    assert scene.go(0.3) == (STANDS, STANDS)
+    scene.xi = edge - [0.0, LIFT_AGAIN_M + 0.001]
+    assert scene.go() == (SWINGS, STANDS)
+
+
+def test_a_new_lift_of_the_player_is_followed_at_the_edge_again(scene):
+    scene.up, scene.footing.missed = (True, False), [True, False]
+    scene.xi = STAND[RIGHT] + [0.0, HALF_WIDTH - 0.003]
+    assert scene.go() == (STANDS, STANDS)
+    scene.up = (False, False)
+    scene.go()
+    scene.up = (True, False)
     assert scene.go() == (SWINGS, STANDS)
 
 
@@ -87,7 +113,7 @@ def test_a_foot_that_stands_amiss_is_set_right_after_a_while(scene):
 
 def test_a_body_that_is_not_calm_does_not_mend_its_stance(scene):
     scene.place[LEFT] = STAND[LEFT] + [0.15, 0.0]
-    scene.calm = False
+    scene.sway_m = 0.06
     scene.go(3.0)
     assert scene.footing.intended is None
 

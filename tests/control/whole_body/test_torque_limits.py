@@ -44,7 +44,7 @@ def problem(body, joint_goal, lift=0.0):
     goal = np.array([0.0, 0.0, lift])
     add_com(hessian, gradient, mass, bias, body.gravity, body.subtree_mass[0], np.array([2000.0, 2000.0, 500.0]), goal)
     lower, response, schur_inverse, free = eliminate(hessian, mass, gradient)
-    cone = cone_rows(2, 0.7, 0.13, 0.04, 0.08)
+    cone = cone_rows((0.0, 0.0), 0.7, 0.13, 0.04)
     price = np.tile([1e-6, 1e-6, 1e-6, 21e-6, 6e-6, 21e-6], 2)
     return Problem(gradient, lower, response, schur_inverse, free, mass, bias, np.concatenate(rows), price, cone, (0, 1))
 

@@ -1,0 +1,106 @@
+"""Mending of the stance, told as scenes of the feet, the capture point and a push."""
+
+import numpy as np
+import pytest
+
+from game.control.whole_body.mending import AMISS_S, ASTRAY_M, CALM_M, GIVEN_UP_S, SHAKEN_AMISS_S, SHAKEN_ASTRAY_M, SHAKEN_S, SLOW_M
+from tests.control.whole_body.footing_scene import DT, LEFT, RIGHT, STAND, STANDS, STEPS, Scene
+
+ASIDE = np.array([0.0, 0.3])
+
+
+@pytest.fixture
+def scene():
+    return Scene()
+
+
+@pytest.fixture
+def shaken(scene):
+    """A body that was thrown and has come to stand wide, the capture point over its left foot."""
+    scene.thrown = True
+    scene.go()
+    scene.thrown = False
+    scene.place[LEFT] = STAND[LEFT] + ASIDE
+    scene.xi = scene.place[LEFT].copy()
+    return scene
+
+
+def test_after_a_push_the_foot_that_is_left_behind_is_soon_put_beside_the_other(shaken):
+    assert shaken.go(SHAKEN_AMISS_S + 3 * DT) == (STANDS, STEPS)
+    np.testing.assert_allclose(shaken.footing.feet[RIGHT].goal[:2], STAND[RIGHT] + ASIDE)
+
+
+def test_it_waits_for_a_capture_point_that_still_runs(shaken):
+    shaken.sway_m = SLOW_M + 0.01
+    assert shaken.go(0.5) == (STANDS, STANDS)
+    shaken.sway_m = SLOW_M - 0.01
+    assert shaken.go(3 * DT) == (STANDS, STEPS)
+
+
+def test_long_after_a_push_a_stance_is_mended_late_as_without_one(scene):
+    scene.thrown = True
+    scene.go()
+    scene.thrown = False
+    scene.go(SHAKEN_S + DT)
+    scene.place[LEFT] = STAND[LEFT] + (2.0 * ASTRAY_M, 0.0)
+    scene.xi = STAND[RIGHT].copy()
+    assert scene.go(AMISS_S - 5 * DT) == (STANDS, STANDS)
+    assert scene.go(10 * DT) == (STEPS, STANDS)
+
+
+def test_what_the_sensor_may_drift_is_not_mended_unless_a_push_did_it(scene):
+    scene.place[LEFT] = STAND[LEFT] + (1.2 * SHAKEN_ASTRAY_M, 0.0)
+    scene.xi = STAND[RIGHT].copy()
+    assert scene.go(3.0 * AMISS_S) == (STANDS, STANDS)
+    scene.thrown = True
+    scene.go()
+    scene.thrown = False
+    assert STEPS in scene.go(SHAKEN_AMISS_S + 3 * DT)
+
+
+def test_while_the_weight_comes_over_the_other_foot_the_choice_stays(shaken):
+    """For a while: a weight that does not come is given up."""
+    shaken.xi = shaken.place[LEFT] - (0.0, 0.1)
+    shaken.go(SHAKEN_AMISS_S + 3 * DT)
+    assert shaken.footing.mending.side == RIGHT and shaken.footing.intended == LEFT
+    shaken.xi = shaken.place[RIGHT] + (0.0, 0.15)
+    shaken.go(0.5 * GIVEN_UP_S)
+    assert shaken.footing.mending.side == RIGHT
+    shaken.go(0.5 * GIVEN_UP_S)
+    assert shaken.footing.mending.side != RIGHT
+
+
+def test_a_body_that_sways_does_not_mend_what_no_push_did(scene):
+    scene.place[LEFT] = STAND[LEFT] + (2.0 * ASTRAY_M, 0.0)
+    scene.xi = STAND[RIGHT].copy()
+    scene.sway_m = CALM_M + 0.01
+    assert scene.go(2.0 * AMISS_S) == (STANDS, STANDS)
+
+
+def test_a_foot_that_loses_the_floor_while_it_is_to_be_put_right_goes_there(shaken):
+    shaken.sway_m = SLOW_M + 0.01
+    shaken.go(SHAKEN_AMISS_S + 3 * DT)
+    assert shaken.footing.mending.side == RIGHT
+    shaken.lift_off(RIGHT)
+    assert shaken.go() == (STANDS, STEPS)
+    np.testing.assert_allclose(shaken.footing.feet[RIGHT].goal[:2], STAND[RIGHT] + ASIDE)
+
+
+def test_a_player_who_lifts_a_foot_is_followed_instead(shaken):
+    shaken.sway_m = SLOW_M + 0.01
+    shaken.go(SHAKEN_AMISS_S + 3 * DT)
+    shaken.up = (False, True)
+    shaken.go()
+    assert shaken.footing.mending.side is None
+
+
+def test_a_step_that_saved_the_balance_is_mended_as_soon_as_a_push(scene):
+    """However lightly the body was pushed: the step itself has taken its feet apart."""
+    scene.xi = np.array([0.0, 0.25])
+    assert scene.go() == (STEPS, STANDS)
+    scene.go(0.2)
+    scene.put_down(LEFT)
+    scene.place[LEFT] = STAND[LEFT] + ASIDE
+    scene.xi = scene.place[LEFT].copy()
+    scene.go(3 * DT)
+    assert scene.go(SHAKEN_AMISS_S + 3 * DT) == (STANDS, STEPS)
