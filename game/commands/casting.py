@@ -1,6 +1,6 @@
 """Who plays: inputs and characters by their names, put on a scene."""
 
-from game.characters.body_plan import BodyPlanError, load_body_plan
+from game.characters.body_plan import BodyPlan, BodyPlanError, load_body_plan
 from game.commands import BadInput
 from game.inputs.open_input import InputError, open_input
 from game.inputs.puppet import puppet_of
@@ -10,6 +10,14 @@ from game.tunables import Settings
 from kinect.source import BodySource
 
 
+def body_plan(name: str) -> BodyPlan:
+    """A character's plan by name; BadInput where it is not valid."""
+    try:
+        return load_body_plan(name)
+    except BodyPlanError as fault:
+        raise BadInput(str(fault)) from fault
+
+
 class Casting:
     """Opens and reopens the input of a session; raises BadInput with one sentence where a name is not valid."""
 
@@ -17,10 +25,7 @@ class Casting:
         self.spec, self.character, self.seed = spec, character, seed
         self.settings = settings
         self._newest: BodySource | None = None
-        try:
-            self.plan = load_body_plan(character)
-        except BodyPlanError as fault:
-            raise BadInput(str(fault)) from fault
+        self.plan = body_plan(character)
         self.open().close()
 
     def open(self) -> BodySource:

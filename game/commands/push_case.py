@@ -11,7 +11,6 @@ import numpy as np
 from game import rotation
 from game.characters.skeleton import PARTS
 from game.commands.casting import Casting
-from game.physics.contacts import FLOOR, ContactForces
 from game.report.recovery import Recovery
 from game.scenes.mirror import Mirror
 from game.tunables import Settings, Value
@@ -92,7 +91,8 @@ def push_once(case: PushCase, settings: Settings, impulse_ns: float, attempt: in
         rule, began_s = Recovery(body, fighter.target, PUSH_S), simulation.time_s
         while not rule.outcome:
             simulation.advance()
-            rule.see(simulation.time_s - began_s, body, fighter.target, _on_floor(world.meter.contacts))
+            found = world.meter.contacts
+            rule.see(simulation.time_s - began_s, body, fighter.target, found.parts_on_floor(0) if found is not None else ())
         return {
             "impulse_ns": impulse_ns, "at_s": began_s, "outcome": rule.outcome, "steps": rule.steps, "back_s": rule.back_s,
             "away_m": rule.away_m, "away_deg": math.degrees(rule.away_rad),
@@ -101,10 +101,3 @@ def push_once(case: PushCase, settings: Settings, impulse_ns: float, attempt: in
         }  # fmt: skip
     finally:
         scene.leave()
-
-
-def _on_floor(contacts: ContactForces | None) -> list[str]:
-    if contacts is None:
-        return []
-    pairs = zip(contacts.character, contacts.part, strict=True)
-    return [PARTS[part[1 - side]] for owner, part in pairs for side in range(2) if owner[side] == FLOOR]

@@ -5,8 +5,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from game.characters.body_plan import BodyPlanError, load_body_plan
 from game.commands import DONE, BadInput
+from game.commands.casting import body_plan
 from game.commands.output_file import check_output_file, write_report
 from game.commands.parallel import run_all, usable_cores
 from game.commands.push_case import WHILE, PushCase, Row, run_push_case
@@ -42,10 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
         check_output_file("--report", written, (".json",))
         check_output_file("--report", written.with_suffix(".png"))
     settings = settings_from(arguments)
-    try:
-        load_body_plan(arguments.character)
-    except BodyPlanError as fault:
-        raise BadInput(str(fault)) from fault
+    body_plan(arguments.character)
     cases = [PushCase(arguments.doing, arguments.character, angle, arguments.tries, arguments.seed) for angle in DIRECTIONS_DEG]
     tell_of_compiling()
     bar = Progress("pushes", len(cases), unit="directions")

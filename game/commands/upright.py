@@ -6,8 +6,9 @@ import re
 from functools import partial
 from pathlib import Path
 
-from game.characters.body_plan import BUILT_IN, BodyPlanError, load_body_plan
+from game.characters.body_plan import BUILT_IN
 from game.commands import BAD_INPUT, DONE, BadInput
+from game.commands.casting import body_plan
 from game.commands.output_file import check_output_file, write_report
 from game.commands.parallel import run_all, usable_cores
 from game.commands.set_option import add_settings_options, measured_settings
@@ -81,11 +82,8 @@ def cases_from(arguments: argparse.Namespace, settings: Settings) -> list[Case]:
     strategies = _words("balance.strategy", arguments.strategies, settings)
     methods = _words("ik.method", arguments.ik, settings)
     seeds = seeds_from(arguments.seeds)
-    try:
-        for name in characters:
-            load_body_plan(name)
-    except BodyPlanError as fault:
-        raise BadInput(str(fault)) from fault
+    for name in characters:
+        body_plan(name)
     return [
         Case(spec, character, strategy, method, seed)
         for spec in inputs

@@ -45,6 +45,12 @@ class ContactForces:
         """(n,) N, size of the friction force."""
         return np.hypot(self.wrench[:, 1], self.wrench[:, 2])
 
+    def parts_on_floor(self, character: int) -> list[int]:
+        """Indices into `PARTS` of what the character has on the floor, once for each contact."""
+        owners, parts = self.character, self.part
+        hits = (owners == character) & (owners[:, ::-1] == FLOOR)
+        return [int(part) for part in parts[hits]]
+
     def on_characters(self, count: int) -> Floats:
         """(count, n) +1 where the contact's force acts on the character, -1 where its reaction does, else 0."""
         rows = _owner_rows(count)

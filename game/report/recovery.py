@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from game import rotation_compiled as one
 from game.characters.skeleton import FEET, PARTS
-from game.report.tracking_error import in_heading
+from game.report.tracking_error import PosedBody, in_heading
 from game.target.kinematic_target import KinematicTarget
 
 Floats = NDArray[np.float64]
@@ -35,18 +35,8 @@ _FEET = np.array(FEET)
 _TRUNK = PARTS.index("trunk")
 
 
-class SeenBody(Protocol):
+class SeenBody(PosedBody, Protocol):
     """What the rule looks at, world frame; physics implements it as `BodyDynamics`."""
-
-    @property
-    def joint(self) -> Floats:
-        """(15, 3) m."""
-        ...
-
-    @property
-    def orientation(self) -> Floats:
-        """(15, 4)"""
-        ...
 
     @property
     def foot_contact(self) -> tuple[bool, bool]:
@@ -105,19 +95,20 @@ class Recovery:
         self.away_m = self.away_rad = 0.0
         self.outcome = ""
 
-    def see(self, since_s: float, body: SeenBody, target: KinematicTarget, on_floor: Iterable[str]) -> None:
-        """One frame, `since_s` after the push began; on_floor: the parts that touch the floor."""
+    def see(self, since_s: float, body: SeenBody, target: KinematicTarget, on_floor: Iterable[int]) -> None:
+        """One frame, `since_s` after the push began; on_floor: indices into `PARTS` of what touch the floor."""
         if self.outcome:
             return
         before = self.steps
         self._count_steps(body, target)
         if since_s <= self._push_s or self.steps > before:
             self._near_since = self.back_s = None
-        self._look_for_stance(since_s, body, target)
-        up = float(one.matrix(body.orientation[_TRUNK])[2, 2])
+        own = stance_of(body.joint, body.orientation)
+        self._look_for_stance(since_s, own, any(body.foot_contact), target)
+        up = float(own.up[2])
         # asked this way round, a tilt that is not a number has fallen too
         self.tilt_rad = max(self.tilt_rad, math.acos(min(1.0, max(-1.0, up)))) if up == up else math.pi
-        others = sorted(part for part in on_floor if not part.startswith("foot"))
+        others = sorted(PARTS[part] for part in on_floor if part not in FEET)
         if others:
             self.outcome = f"{others[0].replace('_', ' ')} on the floor"
         elif self.tilt_rad > LARGEST_TILT_RAD:
@@ -136,13 +127,12 @@ class Recovery:
                 self._stood[side], self._player_stood[side] = place, players
             self._off[side] = not touches
 
-    def _look_for_stance(self, since_s: float, body: SeenBody, target: KinematicTarget) -> None:
+    def _look_for_stance(self, since_s: float, own: Stance, stands: bool, target: KinematicTarget) -> None:
         self._shown.append((since_s, stance_of(target.pose.joint, target.pose.orientation)))
         while self._shown[0][0] < since_s - LATE_S - 1e-9:
             self._shown.popleft()
-        own = stance_of(body.joint, body.orientation)
         self.away_m, self.away_rad = min((apart(own, shown, self._turned) for _, shown in self._shown), key=_share)
-        if not any(body.foot_contact) or _share((self.away_m, self.away_rad)) > 1.0:
+        if not stands or _share((self.away_m, self.away_rad)) > 1.0:
             self._near_since = None
             return
         if self._near_since is None:

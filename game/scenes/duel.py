@@ -30,7 +30,7 @@ BOLD_AFTER_S = 30.0
 BREAK_FRAMES = 480
 """Frames without a touch after which the two, who cannot walk yet, are brought together again."""
 
-_LYING = [PARTS.index(name) for name in ("pelvis", "trunk", "head")]
+_LYING = frozenset(PARTS.index(name) for name in ("pelvis", "trunk", "head"))
 NAMES = ("You", "Opponent")
 
 
@@ -133,11 +133,7 @@ class Duel(PlayedScene):
         if world.characters[index].com_height() < LOW_COM_SHARE * self._plan.idle_com_height:
             return True
         found = world.meter.contacts
-        if found is None:
-            return False
-        who, part = found.character, found.part
-        on_floor = (who == FLOOR).any(axis=1)
-        return bool((on_floor[:, None] & (who == index) & np.isin(part, _LYING)).any())
+        return found is not None and not _LYING.isdisjoint(found.parts_on_floor(index))
 
     def drawables(self, blend: float) -> tuple[Layer, ...]:
         layers = [layer for index in range(2) for layer in fighter_layers(self.simulation, index, blend, self._settings)]

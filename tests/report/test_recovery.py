@@ -17,7 +17,7 @@ PLAN = load_body_plan("original")
 IDLE = pose_skeleton(PLAN, PLAN.joint[0], rotation.IDENTITY, np.tile(rotation.IDENTITY, (14, 1)))
 TARGET = target_of(PLAN, IDLE)
 PUSH_S, DT = 0.2, 1.0 / 60.0
-SOLES = ("foot_left", "foot_right")
+SOLES = FEET
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ def test_it_is_judged_at_the_end_and_not_before():
 
 
 def test_a_hand_on_the_floor_is_a_fall():
-    rule = judge(lambda t: body(), lambda t: (*SOLES, "hand_left") if t > 1.0 else SOLES)
+    rule = judge(lambda t: body(), lambda t: (*SOLES, PARTS.index("hand_left")) if t > 1.0 else SOLES)
     assert rule.outcome == "hand left on the floor"
 
 

@@ -31,7 +31,7 @@ class FeltPush:
         """com_velocity (3,) m/s now; wrench (6 n,) that was planned for the floor since the last call, `dt` ago."""
         now = float(com_velocity[0]), float(com_velocity[1])
         if self._last is not None:
-            keeps, pushed = math.exp(-dt / MEMORY_S), dt / mass_kg * wrench.reshape(-1, 6).sum(axis=0)
-            self._sum = tuple(keeps * (s + n - b - float(p)) for s, n, b, p in zip(self._sum, now, self._last, pushed, strict=False))
+            keeps, pushed = math.exp(-dt / MEMORY_S), dt / mass_kg * wrench.reshape(-1, 6).sum(axis=0)[:2]
+            self._sum = tuple(keeps * (s + n - b - float(p)) for s, n, b, p in zip(self._sum, now, self._last, pushed, strict=True))
             self.speed = math.hypot(*self._sum)
         self._last = now

@@ -46,17 +46,18 @@ def saving_foot(soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wi
         pivot, landing = _at_touch_down(sole, xi, frequency, STEP_S)
         goal = _nearest_landing(side, sole, landing, wish)
         there = sole_corners(goal, wish.yaw[side], sole.half_length - PRESSURE_MARGIN_M, sole.half_width - PRESSURE_MARGIN_M)
-        crosses = _aside(side, sole, goal) < LEAST_SIDE_M - 1e-6
+        crosses = _from_other(side, sole, goal[:2])[1] < LEAST_SIDE_M - 1e-6
         short = math.dist(nearest_inside(there, landing), landing)
         price.append(CROSS_PRICE_M * crosses + SHORT_PRICE * short + math.dist(xi, pivot))
     return int(price[1] < price[0])
 
 
-def _aside(side: int, other: Sole, goal: Floats) -> float:
-    """m that a goal (3,) of foot `side` lies to its own side of the other foot."""
-    x, y, _ = goal - other.centre
-    left = math.cos(other.yaw) * y - math.sin(other.yaw) * x
-    return left if side == 0 else -left
+def _from_other(side: int, other: Sole, place: Floats) -> tuple[float, float]:
+    """m that a place (2,) lies ahead of the other foot, and to the own side of foot `side`."""
+    c, s = math.cos(other.yaw), math.sin(other.yaw)
+    x, y = place - other.centre[:2]
+    left = c * y - s * x
+    return c * x + s * y, left if side == 0 else -left
 
 
 def landing_goal(side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, time_s: float) -> Floats:
@@ -73,14 +74,12 @@ def _nearest_landing(side: int, other: Sole, landing: Floats, wish: Wish) -> Flo
     """`landing_goal` beside the sole that stands, for a capture point (2,) that will be at `landing`."""
     there = sole_corners(wish.place[side], wish.yaw[side], other.half_length - LAND_ENDS_M, other.half_width - LAND_SIDES_M)
     place = wish.place[side] + landing - nearest_inside(there, landing)
-    c, s = math.cos(other.yaw), math.sin(other.yaw)
-    offset = place - other.centre[:2]
-    ahead, left = c * offset[0] + s * offset[1], -s * offset[0] + c * offset[1]
-    sign = 1.0 if side == 0 else -1.0
-    within = min(1.0, REACH_M / max(math.hypot(ahead, left), 1e-9))
-    ahead, aside = _clear_of_other(within * ahead, sign * within * left)
+    ahead, aside = _from_other(side, other, place)
+    within = min(1.0, REACH_M / max(math.hypot(ahead, aside), 1e-9))
+    ahead, aside = _clear_of_other(within * ahead, within * aside)
     most = math.sqrt(max(REACH_M**2 - aside**2, 0.0))
-    ahead, left = min(max(ahead, -most), most), sign * aside
+    ahead, left = min(max(ahead, -most), most), aside if side == 0 else -aside
+    c, s = math.cos(other.yaw), math.sin(other.yaw)
     goal = np.array([c * ahead - s * left, s * ahead + c * left, 0.0])
     goal[:2] += other.centre[:2]
     return goal

@@ -74,8 +74,8 @@ def test_a_little_more_of_a_force_than_friction_holds_is_too_much():
 
 def test_a_moment_about_the_length_of_the_sole_is_bounded_by_its_width():
     rows = cone(1)
-    assert (rows @ [0.0, 0.0, 1.0, 0.039, 0.0, 0.0]).max() <= 0.0 < (rows @ [0.0, 0.0, 1.0, 0.05, 0.0, 0.0]).max()
-    assert (rows @ [0.0, 0.0, 1.0, 0.0, 0.129, 0.0]).max() <= 0.0 < (rows @ [0.0, 0.0, 1.0, 0.0, 0.14, 0.0]).max()
+    assert (rows @ [0.0, 0.0, 1.0, 0.999 * WIDTH, 0.0, 0.0]).max() <= 0.0 < (rows @ [0.0, 0.0, 1.0, 1.001 * WIDTH, 0.0, 0.0]).max()
+    assert (rows @ [0.0, 0.0, 1.0, 0.0, 0.999 * LENGTH, 0.0]).max() <= 0.0 < (rows @ [0.0, 0.0, 1.0, 0.0, 1.001 * LENGTH, 0.0]).max()
 
 
 @pytest.mark.parametrize("seed", range(8))
