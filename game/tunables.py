@@ -94,6 +94,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("gate.fade_time_s", 0.06, "how fast the lock lets go of a foot that lifts and brings one that lands to the floor", 0.0, 0.5, "s"),
         Tunable("gate.flat", True, "the sole of a planted foot is flat, however the sensor tilts it"),
         Tunable("gate.pelvis", True, "the pelvis is as high as ankles and leg lengths say, where the sensor lets it sink (a bow) or rise"),
+        Tunable("gate.knees", True, "knees bend forward and lean no farther to the side than a thigh turns, however the sensor shows them"),
         Tunable("gate.leg_slack", 0.04, "share of a leg's length that may be missing before the pelvis is raised", 0.0, 0.3),
         Tunable("gate.tilt_rad_s", 4.0, "fastest tilt of pelvis and trunk; a deep bow makes the sensor flip between poses", 0.5, 50.0, "rad/s"),
         Tunable("gate.turn_rad_s", 5.0, "fastest turn of pelvis and shoulders; seen from the side their lines jump", 0.5, 50.0, "rad/s"),

@@ -59,6 +59,7 @@ CONTEXTS: Mapping[str, Context] = {
     **dict.fromkeys(("balance.pelvis_stiffness", "balance.pelvis_damping"), Context(others=BY_ANKLES)),
     **dict.fromkeys(("gate.floor_time_s", "gate.lock", "gate.plant_time_s"), STEPPING),
     **dict.fromkeys(("gate.fade_time_s", "gate.on", "gate.buffer_s"), STEPPING),
+    "gate.knees": LEAPING,
     "gate.up_m": seen_by_a_kinect("stepping", 3.6, ("gate.up_m", 0.08), ("gate.foot_speed_m_s", 3.0)),
     "gate.down_m": seen_by_a_kinect("jump", 2.5, ("gate.down_m", 0.015)),
     "gate.foot_speed_m_s": seen_by_a_kinect("stepping", 3.6),
@@ -99,7 +100,8 @@ def moved(tunable: Tunable, value: Value) -> Value:
 
 @pytest.fixture(scope="module")
 def clip(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """A recording that leaps: all of the person by 0.38 m (more than 0.35, less than 0.42), then a hand up and the other into the trunk."""
+    """A recording that leaps: all of the person by 0.38 m (more than 0.35, less than 0.42), then a hand up, the other into the
+    trunk and a knee bent back."""
     still = moving_clip()
     positions = still.positions.copy()
     positions[15:, :, 0] += 0.38
@@ -107,6 +109,7 @@ def clip(tmp_path_factory: pytest.TempPathFactory) -> str:
     after[:, [Joint.WRIST_LEFT, Joint.HAND_LEFT], 1] += 0.6
     after[:, [Joint.WRIST_RIGHT, Joint.HAND_RIGHT]] = after[:, [Joint.SPINE]]
     after[:, Joint.ELBOW_RIGHT] = 0.5 * (after[:, Joint.SPINE] + after[:, Joint.SHOULDER_RIGHT])
+    after[:, Joint.KNEE_LEFT, 2] += 0.12
     path = tmp_path_factory.mktemp("clips") / "leap.npz"
     write_clip(path, checked_clip(path.name, positions, still.confidence, still.t, None, None, {}))
     return str(path)

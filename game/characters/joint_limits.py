@@ -3,8 +3,9 @@
 Ranges in degrees: American Academy of Orthopaedic Surgeons' and American Medical Association's tables (as in Norkin & White, appendix A)
 for shoulder, elbow, wrist, trunk and neck; hip, knee and ankle after Soucie et al. 2011 (Haemophilia 17:500, men of 20 to 44) and the same
 tables. Four of them are wider than the joint itself, because the mapping (Eq. 3.1 of Zwennes 2014) gives no limb a twist about its length,
-so that the next joint has to show it: elbow and wrist bend about any axis across the forearm, the knee leans with a turned thigh, the
-ankle turns the foot out. They are estimates, wide enough for real recordings. A standing ankle bends further than one that is
+so that the next joint has to show it: the elbow bends as far about any axis across the forearm as about its own, the wrist about any, the
+knee leans with a turned thigh, the ankle turns the foot out. They are estimates, wide enough for real recordings; a knee that may lean
+by 25 degrees instead of 15 gives way under shoves and lunges. A standing ankle bends further than one that is
 measured lying: 40 degrees, as in a deep lunge.
 """
 
@@ -23,13 +24,13 @@ DEGREES: dict[str, tuple[tuple[float, float], ...]] = {
     # across the body 75, sideways up 180; forward up 180, back 60; inward 70, outward 90
     "shoulder": ((-75.0, 180.0), (-180.0, 60.0), (-70.0, 90.0)),
     # bending 150; widened to every direction across the arm
-    "elbow": ((-120.0, 120.0), (-150.0, 60.0), (-80.0, 80.0)),
+    "elbow": ((-150.0, 150.0), (-150.0, 150.0), (-80.0, 80.0)),
     # bending 80 and 70, to the thumb 20, to the little finger 30; widened
     "wrist": ((-80.0, 70.0), (-70.0, 70.0), (-10.0, 10.0)),
     # across 30, sideways 45; forward 130, back 17 and a little of the pelvis; turning 45
     "hip": ((-30.0, 50.0), (-130.0, 30.0), (-45.0, 45.0)),
     # bending 150, over-stretching 3; sideways widened, the shank's own turning 15
-    "knee": ((-25.0, 25.0), (-3.0, 150.0), (-15.0, 15.0)),
+    "knee": ((-15.0, 15.0), (-3.0, 150.0), (-15.0, 15.0)),
     # sole inward 35, outward 20; toes up 40 (standing), down 55; turned out and in: widened
     "ankle": ((-35.0, 25.0), (-40.0, 55.0), (-40.0, 40.0)),
 }

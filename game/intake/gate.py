@@ -13,6 +13,7 @@ from game.compiled import compiled
 from game.intake.gate_buffer import ContactBuffer, SensedFrame
 from game.intake.gate_contacts import ContactFinder
 from game.intake.gate_heading import BodyHeading
+from game.intake.gate_knees import bend_forward
 from game.intake.gate_legs import FOOT_JOINTS, HIPS, KNEES, feet_of
 from game.intake.gate_lock import FootLock
 from game.intake.gate_pelvis import PelvisHeight, needed_rise
@@ -67,6 +68,8 @@ class InputGate:
             self._trunk.apply(out, number("gate.tilt_rad_s") * dt)
         self._heading.apply(out, dt, self._finder.lengths.leg_m, number("gate.turn_rad_s"), number("gate.twist_rad"))
         _put_feet(out, frame.joints, feet)
+        if self._settings.switch("gate.knees"):
+            bend_forward(out)
         return out
 
     def _place_feet(self, frame: SensedFrame, dt: float, feet: Floats) -> None:

@@ -23,7 +23,9 @@ FEET = (Joint.FOOT_LEFT, Joint.FOOT_RIGHT)
 FOOT_JOINTS = np.array((ANKLES, FEET)).T
 """(2, 2) ankle and toes of the left and of the right foot."""
 
-_LEG = np.array((HIPS, KNEES, ANKLES)).T
+LEGS = np.array((HIPS, KNEES, ANKLES)).T
+"""(2, 3) hip, knee and ankle of the left and of the right leg."""
+
 _ROOT, _NECK = int(Joint.HIP_CENTER), int(Joint.SHOULDER_CENTER)
 
 LENGTH_TIME_S = 2.0
@@ -136,7 +138,7 @@ def legs_of(joints: Floats) -> tuple[tuple[Bone, Bone, float], tuple[Bone, Bone,
 @compiled
 def _bones(joints: Floats, side: int) -> tuple[Bone, Bone, float]:
     """Thigh and shin, and the angle between them (rad)."""
-    hip, knee, ankle = _LEG[side]
+    hip, knee, ankle = LEGS[side]
     thigh = joints[hip] - joints[knee]
     shin = joints[knee] - joints[ankle]
     a, b = max(one.length(thigh), 1e-6), max(one.length(shin), 1e-6)
