@@ -18,6 +18,9 @@ Floats = NDArray[np.float64]
 CLEARANCE_M = 0.06
 """How high a step of its own swings."""
 
+BENT_M = 0.05
+"""How much shorter than standing the legs are that wait for the floor."""
+
 _STILL = np.zeros(3)
 
 
@@ -50,4 +53,5 @@ def flight_task(
     apart = player.direction(motion.place[1 + side] - 0.5 * (motion.place[1] + motion.place[2]))[:2]
     under = xi + apart
     orientation, turn = body.orientation[FEET[side]], body.turn[FEET[side]]
-    flight(sole.centre, orientation, turn, twist, under, body.com_velocity, one.about_z(wish.yaw[side]), weight, goal)
+    legs_end_m = body.com[2] - body.plan.idle_com_height + BENT_M
+    flight(sole.centre, orientation, turn, twist, under, body.com_velocity, one.about_z(wish.yaw[side]), legs_end_m, weight, goal)

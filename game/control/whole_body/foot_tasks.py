@@ -20,8 +20,11 @@ CATCH_UP_S = 0.3
 LEAST_LIFT_M, PRESS_M = 0.02, 0.01
 """A foot that the player has up is this far off the floor at least; one that he has down is aimed this far below it."""
 
-LARGEST_SWING = 60.0
-"""m/s^2 a swinging foot may be asked for."""
+NEAR_M, LANDING_WEIGHT = 0.03, 2000.0
+"""A foot that the player has down and that is no farther off the floor is brought down with so much weight: else it hovers."""
+
+LARGEST_SWING, LARGEST_REACH = 60.0, 40.0
+"""m/s^2 a swinging foot may be asked for, and one in the air on its way down."""
 
 
 @compiled
@@ -81,17 +84,25 @@ def follow(
     place += left * left * behind
     velocity -= 2.0 * left / CATCH_UP_S * behind
     swing(sole, orientation, turn, twist, place, velocity, acceleration, facing, player_spin[JOINT_COUNT + 1 + side], weight, goal)
+    if not up and sole[2] < NEAR_M:
+        weight[2] = LANDING_WEIGHT
 
 
 @compiled
 def flight(
-    sole: Floats, orientation: Floats, turn: Floats, twist: Floats, under: Floats, com_velocity: Floats, facing: Floats,
+    sole: Floats, orientation: Floats, turn: Floats, twist: Floats, under: Floats, com_velocity: Floats, facing: Floats, legs_end_m: float,
     weight: Floats, goal: Floats,
 ) -> None:  # fmt: skip
-    """Fill weight and goal (6,) of a foot in the air: flat, and level with the place `under` (2,) where it should come down."""
+    """Fill weight and goal (6,) of a foot in the air: flat, and level with the place `under` (2,) where it should come down.
+
+    legs_end_m: how high the sole is on legs ready to land. Who comes down has them so, however deep the player already crouches.
+    """
     goal[:] = 0.0
     goal[:2] = 150.0 * (under - sole[:2]) + 25.0 * (com_velocity[:2] - twist[:2])
     goal[:3] *= min(1.0, 40.0 / max(one.length(goal[:3]), 1e-9))
     spin = one.turn_back(turn, twist[3:])
     goal[3:] = one.turn(turn, turn_acceleration(turn_error(orientation, facing), spin, np.zeros(3), 250.0, 30.0, 200.0))
     weight[:2], weight[2], weight[3:] = 10.0, 0.0, 3.0
+    if com_velocity[2] < 0.0:
+        weight[2] = 10.0
+        goal[2] = min(max(150.0 * (legs_end_m - sole[2]) + 25.0 * (com_velocity[2] - twist[2]), -LARGEST_REACH), LARGEST_REACH)

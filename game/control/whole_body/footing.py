@@ -60,7 +60,7 @@ class Footing:
             return
         if len(standing) == 2:
             self._lift(soles, xi, wish, sway_m, dt)
-        elif len(standing) == 1:
+        elif len(standing) == 1 and not self._comes_down(1 - standing[0], soles, wish):
             self.intended = standing[0]
         self._recover(soles, xi, frequency, wish, dt)
 
@@ -70,9 +70,11 @@ class Footing:
         return polygon(soles, left or not right, right or not left, margin_m, ends_m)
 
     def goal_hull(self, soles: tuple[Sole, Sole], margin_m: float, ends_m: float = 0.0) -> Floats:
-        """Where the capture point should be: over the foot that is to carry all, where there is one."""
+        """Where the capture point should be: over the foot that is to carry all, where there is one; else between those that stand and
+        those that come down after the player's."""
         if self.intended is None:
-            return self.hull(soles, margin_m, ends_m)
+            left, right = (foot.phase is not Phase.STEP for foot in self.feet)
+            return polygon(soles, left or not right, right or not left, margin_m, ends_m)
         return soles[self.intended].corners(margin_m, ends_m)
 
     def _land(self, soles: tuple[Sole, Sole], wish: Wish) -> None:

@@ -21,7 +21,9 @@ STRAIGHT = 0.98
 """Reach of a leg that has nothing more to push with."""
 
 RISING_M_S, PUSHING_M_S = 0.35, 0.6
-LANDING_S = 0.6
+LANDING_S, RISE_RATE, SINK_RATE = 0.6, 30.0, 12.0
+"""So long at most a landing is softened: by 1/s^2 of the way left up to the player, once he has landed too, and 1/s of the speed."""
+
 LOWEST, HIGHEST = -8.0, 20.0
 """m/s^2 the COM may be asked for."""
 
@@ -68,8 +70,9 @@ class ComHeight:
         if footing.landed_s < LANDING_S:
             self._landing = (self._landing or footing.landed_s < 0.02) and height > com_height
             if self._landing:
-                # not after the player up into the air again: soften the landing until he comes down too
-                return min(max(-12.0 * speed, -5.0), 9.0)
+                # not after the player up into the air again: soften the landing until he has come down too
+                follow = 0.0 if player.flight else RISE_RATE * (height - com_height) + SINK_RATE * max(rise, 0.0)
+                return min(max(follow - SINK_RATE * speed, -5.0), 9.0)
         wanted = 100.0 * (height - com_height) + 20.0 * (rise - speed) + float(motion.acceleration[3, 2])
         if leap > 0.0 and rise > 0.3:
             wanted = max(wanted, 30.0 * (leap - speed))

@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
-from game.characters.skeleton import FEET, JOINT_COUNT
+from game.characters.skeleton import FEET, JOINT_COUNT, PARTS
 from game.characters.strength import joint_strength
 from game.control.ankle_strategy import AnkleStrategy
-from game.control.gains import gains
 from game.control.joint_command import BodyState, JointCommand
 from game.control.whole_body.capture_point import capture_point, natural_frequency, players_capture_point, steer
 from game.control.whole_body.contact_wrenches import cone_rows
+from game.control.whole_body.falling import fall, is_lost
 from game.control.whole_body.felt_push import FeltPush
 from game.control.whole_body.foot_goals import flight_task, foot_task
 from game.control.whole_body.footing import Footing
@@ -68,6 +68,7 @@ def _joint_weight(standing: tuple[int, ...]) -> Floats:
     return np.repeat(out, 3)
 
 
+_TRUNK = PARTS.index("trunk")
 _FEET = slice(FEET[0], FEET[1] + 1, FEET[1] - FEET[0])
 _STANDING: dict[tuple[bool, bool], tuple[int, ...]] = {(False, False): (), (True, False): (0,), (False, True): (1,), (True, True): (0, 1)}
 _JOINT_WEIGHT: dict[tuple[int, ...], Floats] = {standing: _joint_weight(standing) for standing in ((), (0,), (1,), (0, 1))}
@@ -102,7 +103,7 @@ class WholeBody:
         self._since_s = 0.0
         self._goal: tuple[float, float] | None = None
         self.com_target = dynamics.com.copy()
-        self.fallen = False
+        self.fallen, self._fallen_s = False, 0.0
         self._height = ComHeight()
         self.wrench = np.zeros(0)
         self.standing: tuple[int, ...] = ()
@@ -114,12 +115,14 @@ class WholeBody:
         self._listen(target, dynamics, dt)
         if dynamics.held:
             return self._hanging.command(target, dynamics, dt)
-        if dynamics.com[2] < min(0.5, 0.8 * target.com[2]) or self.fallen:
-            self.fallen = True
-            return self._limp(target, dynamics)
+        soles = soles_of(dynamics)
+        trunk_up = float(dynamics.turn[_TRUNK, 2, 2])
+        lost = not self.footing.flying and is_lost(self.footing.hull(soles, 0.0), dynamics.com, trunk_up)
+        self.fallen = self.fallen or lost or dynamics.com[2] < min(0.5, 0.8 * target.com[2])
+        if self.fallen:
+            return self._fall(dynamics, dt)
         delay = self._settings.number("whole_body.delay_s")
         motion = self._window.moment(self._window.newest_s + self._since_s - delay)
-        soles = soles_of(dynamics)
         frequency = self._plan(motion, dynamics, soles, dt)
         return self._solve(motion, dynamics, soles, frequency, dt)
 
@@ -243,7 +246,11 @@ class WholeBody:
         yaws = tuple(soles[side].yaw for side in standing)
         return cone_rows(yaws, friction, soles[0].half_length, soles[0].half_width)
 
-    def _limp(self, target: KinematicTarget, body: BodyState) -> JointCommand:
-        """On the floor: the target's pose with little strength."""
-        kp, kd = gains(body, 0.125 * self._settings.number("pd.kp_hat"), "dynamic")
-        return JointCommand(target.joint_rotation, _NOTHING, kp, kd, _NOTHING)
+    def _fall(self, body: BodyState, dt: float) -> JointCommand:
+        """The protective pose of `falling`, ever less firm."""
+        rotation, kp, kd = np.empty((JOINT_COUNT, 4)), np.empty(3 * JOINT_COUNT), np.empty(3 * JOINT_COUNT)
+        inertia = np.ascontiguousarray(np.diagonal(body.equations[0])[6:])
+        low, high = self._full_strength
+        fall(self._fallen_s, body.turn[_TRUNK], body.joint_rotation, body.velocity[6:], inertia, low, high, rotation, kp, kd)
+        self._fallen_s += dt
+        return JointCommand(rotation, _NOTHING, kp, kd, _NOTHING)

@@ -85,6 +85,9 @@ def test_a_foot_that_comes_down_stands_once_it_touches(scene):
     scene.go(0.5)
     scene.up = (False, False)
     assert scene.go(0.1) == (SWINGS, STANDS), "still in the air"
+    assert scene.footing.intended is None
+    assert distance_inside(scene.footing.goal_hull(scene.soles(), 0.0), CENTRED) > 0.0, "the weight is meant to come between the feet"
+    assert distance_inside(scene.footing.hull(scene.soles(), 0.0), CENTRED) < 0.0, "which nothing holds up yet"
     scene.put_down(LEFT)
     assert scene.go() == (STANDS, STANDS)
 

@@ -97,3 +97,17 @@ def test_hips_are_not_braked_below_the_speed_at_which_the_player_rises():
 
 def test_a_leap_is_never_braked():
     assert asked(body(crouched(0.03), speed=1.2), 2.5) > 0.0
+
+
+def test_a_landing_comes_to_rest_and_rises_once_the_player_has_landed_too():
+    """While he is still up in the air the body is not thrown after him again."""
+    window, footing, height = seen(0.0, 0.0), Footing(), ComHeight()
+    footing.landed_s = 0.01
+    deep = body(com_z=PLAN.idle_com_height - 0.15)
+
+    def asked_of(player: PlayerStance) -> float:
+        return height.acceleration(window.moment(0.0), 0.0, 0.0, player, footing, deep)
+
+    aloft = PlayerStance(PLAYER.floor_z)
+    aloft.flight = True
+    assert asked_of(aloft) == 0.0 < asked_of(PLAYER)

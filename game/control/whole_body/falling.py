@@ -1,0 +1,100 @@
+"""A fall: arms reach for the floor, the chin is tucked, stiffness goes by degrees, and no joint leaves its range."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game import rotation_compiled as one
+from game.characters.joint_limits import HIGH, LOW
+from game.characters.skeleton import JOINT_COUNT, JOINTS
+from game.compiled import compiled
+from game.control.whole_body.support_polygon import distance_inside
+
+Floats = NDArray[np.float64]
+
+LOST_M = 0.36
+"""A COM so far beyond the feet that stand is not caught by a step any more."""
+
+TOPPLED_M, TOPPLED_UP = 0.06, 0.45
+"""Nor is one much nearer where the trunk has toppled to 63 degrees too; a bow as deep has its COM over the feet."""
+
+LET_GO_S = 1.5
+"""How long the stiffness takes from that of a body that braces itself to that of one that lies."""
+
+BRACED_RATE, LIMP_RATE = 9.0, 2.0
+"""1/s: the joints follow the protective pose as fast at first, and at last."""
+
+DAMPING_RATE = 22.0
+"""1/s at which a joint that nothing moves comes to rest against its own limb; against the whole body it is less."""
+
+STOP_RAD = 0.12
+"""So far past the end of its range a joint meets as much resistance as its muscles are strong."""
+
+STOP_S = 0.02
+"""The stop damps as a spring that settles in this time."""
+
+SOON_S = 0.03
+"""The stop is felt by a joint that will be past the end so much later."""
+
+
+def _pose(**turned: tuple[float, float, float]) -> Floats:
+    """(42,) rotation vectors; `shoulder=` turns the left one, and the right one as in a mirror."""
+    out = np.zeros((JOINT_COUNT, 3))
+    for row, joint in enumerate(JOINTS):
+        name, _, side = joint.partition("_")
+        x, y, z = turned.get(name, (0.0, 0.0, 0.0))
+        out[row] = (-x, y, -z) if side == "right" else (x, y, z)
+    return out.reshape(-1)
+
+
+FORWARD = _pose(neck=(0, -0.4, 0), shoulder=(0.2, -1.3, 0), elbow=(0, -0.5, 0), hip=(0.1, -0.3, 0), knee=(0, 0.5, 0))
+BACKWARD = _pose(neck=(0, 0.6, 0), spine=(0, 0.5, 0), shoulder=(0.5, 0.5, 0), elbow=(0, -0.4, 0), hip=(0.1, -1.0, 0), knee=(0, 1.0, 0))
+SIDEWAYS = _pose(neck=(0, 0.2, 0), shoulder=(1.0, -0.4, 0), elbow=(0, -0.6, 0), hip=(0.1, -0.5, 0), knee=(0, 0.7, 0))
+"""Protective poses (42,) rad of a body that falls to its front, to its back, and to either side."""
+
+
+@compiled
+def is_lost(hull: Floats, com: Floats, trunk_up: float) -> bool:
+    """Whether balance is given up: hull (n, 2) of the feet that stand, com (3,), trunk_up the cosine of the trunk's tilt."""
+    beyond = -distance_inside(hull, com[:2])
+    return beyond > LOST_M or (beyond > TOPPLED_M and trunk_up < TOPPLED_UP)
+
+
+@compiled
+def protective_pose(down: Floats) -> Floats:
+    """(42,) rad; down (3,): where the floor is in the axes of the trunk. It matters as far as the trunk has tilted."""
+    ahead, aside = down[0], abs(down[1])
+    total = max(abs(ahead) + aside, 1e-6)
+    front, back, side = max(ahead, 0.0) / total, max(-ahead, 0.0) / total, aside / total
+    return front * FORWARD + back * BACKWARD + side * SIDEWAYS
+
+
+@compiled
+def fall(
+    since_s: float, turn: Floats, joint_rotation: Floats, velocity: Floats, inertia: Floats, low: Floats, high: Floats,
+    rotation: Floats, kp: Floats, kd: Floats,
+) -> None:  # fmt: skip
+    """Fill rotation (14, 4), kp and kd (42,) of a joint command, `since_s` after the fall began.
+
+    turn (3, 3) of the trunk; joint_rotation (14, 4), velocity (42,) rad/s, inertia (42,) kg m^2 of the joints; low, high (42,) N m are
+    their strength.
+    """
+    down = one.turn_back(turn, np.array([0.0, 0.0, -1.0]))
+    pose = protective_pose(down)
+    braced = max(1.0 - since_s / LET_GO_S, 0.0)
+    rate = LIMP_RATE + braced * (BRACED_RATE - LIMP_RATE)
+    wanted = np.empty(3)
+    for j in range(len(joint_rotation)):
+        angle = one.log(joint_rotation[j])
+        for axis in range(3):
+            row = 3 * j + axis
+            wanted[axis] = min(max(pose[row], LOW[j, axis]), HIGH[j, axis])
+            kp[row], kd[row] = rate * rate * inertia[row], DAMPING_RATE * inertia[row]
+            soon = angle[axis] + SOON_S * velocity[row]
+            over, under = soon > HIGH[j, axis], soon < LOW[j, axis]
+            if over or under:
+                # back from where it is: the strength of the muscles on the other side sets the measure
+                stop = max(-low[row] if over else high[row], 1.0) / STOP_RAD
+                kp[row] += stop
+                kd[row] += STOP_S * stop
+                wanted[axis] = HIGH[j, axis] if over else LOW[j, axis]
+        rotation[j] = one.exp(wanted)
