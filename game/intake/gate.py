@@ -14,7 +14,7 @@ from game.intake.gate_buffer import ContactBuffer, SensedFrame
 from game.intake.gate_contacts import ContactFinder
 from game.intake.gate_heading import BodyHeading
 from game.intake.gate_knees import bend_forward
-from game.intake.gate_legs import FOOT_JOINTS, HIPS, KNEES, feet_of
+from game.intake.gate_legs import FOOT_JOINTS, LEGS, feet_of
 from game.intake.gate_lock import FootLock
 from game.intake.gate_pelvis import PelvisHeight, needed_rise
 from game.intake.gate_trunk import TrunkTilt
@@ -22,8 +22,6 @@ from game.intake.world_frame import WorldFrame
 from game.tunables import Settings
 
 Floats = NDArray[np.float64]
-
-_HIP, _KNEE = np.array(HIPS), np.array(KNEES)
 
 
 class InputGate:
@@ -94,7 +92,7 @@ class InputGate:
 def _put_feet(out: Floats, seen: Floats, feet: Floats) -> None:
     """Put ankles and toes of `feet` (2, 2, 3) into the joints `out` (20, 3); a knee goes half as far as hip and ankle from where `seen`."""
     for side in range(2):
-        (ankle, toes), knee, hip = FOOT_JOINTS[side], _KNEE[side], _HIP[side]
+        (hip, knee, ankle), toes = LEGS[side], FOOT_JOINTS[side, 1]
         for axis in range(3):
             out[ankle, axis], out[toes, axis] = feet[side, 0, axis], feet[side, 1, axis]
             out[knee, axis] += 0.5 * (out[hip, axis] - seen[hip, axis] + feet[side, 0, axis] - seen[ankle, axis])

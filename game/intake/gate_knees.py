@@ -6,13 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
+from game.characters.joint_limits import DEGREES
 from game.compiled import compiled
 from game.intake.gate_legs import LEGS
 
 Floats = NDArray[np.float64]
 
-BACK, SIDE = math.sin(math.radians(3.0)), math.sin(math.radians(15.0))
-"""Sines of the angles by which a knee over-stretches and leans sideways, as in `game.characters.joint_limits`."""
+_ASIDE, _BENT, _ = DEGREES["knee"]
+BACK, SIDE = math.sin(math.radians(-_BENT[0])), math.sin(math.radians(_ASIDE[1]))
+"""Sines of the angles by which a character's knee over-stretches and leans sideways."""
 
 TURNED_OUT = 1.0
 """A thigh that is turned at the hip by 45 degrees shows a bent knee as far to the side as it is bent forward."""

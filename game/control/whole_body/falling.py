@@ -1,4 +1,4 @@
-"""A fall: arms reach for the floor, the chin is tucked, stiffness goes by degrees, and no joint leaves its range."""
+"""A fall: arms reach for the floor, the head is kept off it, stiffness goes by degrees, joints are stopped at the ends of their ranges."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -24,7 +24,7 @@ NEAR_M, LANDING_WEIGHT = 0.03, 2000.0
 """A foot that the player has down and that is no farther off the floor is brought down with so much weight: else it hovers."""
 
 LARGEST_SWING, LARGEST_REACH = 60.0, 40.0
-"""m/s^2 a swinging foot may be asked for, and one in the air on its way down."""
+"""m/s^2 a swinging foot may be asked for, and one in flight."""
 
 
 @compiled
@@ -99,7 +99,7 @@ def flight(
     """
     goal[:] = 0.0
     goal[:2] = 150.0 * (under - sole[:2]) + 25.0 * (com_velocity[:2] - twist[:2])
-    goal[:3] *= min(1.0, 40.0 / max(one.length(goal[:3]), 1e-9))
+    goal[:3] *= min(1.0, LARGEST_REACH / max(one.length(goal[:3]), 1e-9))
     spin = one.turn_back(turn, twist[3:])
     goal[3:] = one.turn(turn, turn_acceleration(turn_error(orientation, facing), spin, np.zeros(3), 250.0, 30.0, 200.0))
     weight[:2], weight[2], weight[3:] = 10.0, 0.0, 3.0

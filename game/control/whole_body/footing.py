@@ -66,15 +66,14 @@ class Footing:
 
     def hull(self, soles: tuple[Sole, Sole], margin_m: float, ends_m: float = 0.0) -> Floats:
         """The polygon of the feet that stand, of both where none does."""
-        left, right = self.feet[0].stands, self.feet[1].stands
-        return polygon(soles, left or not right, right or not left, margin_m, ends_m)
+        return _polygon_of(soles, self.feet[0].stands, self.feet[1].stands, margin_m, ends_m)
 
     def goal_hull(self, soles: tuple[Sole, Sole], margin_m: float, ends_m: float = 0.0) -> Floats:
         """Where the capture point should be: over the foot that is to carry all, where there is one; else between those that stand and
         those that come down after the player's."""
         if self.intended is None:
             left, right = (foot.phase is not Phase.STEP for foot in self.feet)
-            return polygon(soles, left or not right, right or not left, margin_m, ends_m)
+            return _polygon_of(soles, left, right, margin_m, ends_m)
         return soles[self.intended].corners(margin_m, ends_m)
 
     def _land(self, soles: tuple[Sole, Sole], wish: Wish) -> None:
@@ -179,3 +178,8 @@ class Footing:
         self.mending.drop()
         self.mending.watch(True, 0.0)
         self.intended = 1 - side
+
+
+def _polygon_of(soles: tuple[Sole, Sole], left: bool, right: bool, margin_m: float, ends_m: float) -> Floats:
+    """Of the feet that are asked for, of both where neither is."""
+    return polygon(soles, left or not right, right or not left, margin_m, ends_m)

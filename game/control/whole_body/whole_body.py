@@ -115,11 +115,10 @@ class WholeBody:
         self._listen(target, dynamics, dt)
         if dynamics.held:
             return self._hanging.command(target, dynamics, dt)
+        if self.fallen or dynamics.com[2] < min(0.5, 0.8 * target.com[2]):
+            return self._fall(dynamics, dt)
         soles = soles_of(dynamics)
-        trunk_up = float(dynamics.turn[_TRUNK, 2, 2])
-        lost = not self.footing.flying and is_lost(self.footing.hull(soles, 0.0), dynamics.com, trunk_up)
-        self.fallen = self.fallen or lost or dynamics.com[2] < min(0.5, 0.8 * target.com[2])
-        if self.fallen:
+        if not self.footing.flying and is_lost(self.footing.hull(soles, 0.0), dynamics.com, float(dynamics.turn[_TRUNK, 2, 2])):
             return self._fall(dynamics, dt)
         delay = self._settings.number("whole_body.delay_s")
         motion = self._window.moment(self._window.newest_s + self._since_s - delay)
@@ -248,6 +247,7 @@ class WholeBody:
 
     def _fall(self, body: BodyState, dt: float) -> JointCommand:
         """The protective pose of `falling`, ever less firm."""
+        self.fallen = True
         rotation, kp, kd = np.empty((JOINT_COUNT, 4)), np.empty(3 * JOINT_COUNT), np.empty(3 * JOINT_COUNT)
         inertia = np.ascontiguousarray(np.diagonal(body.equations[0])[6:])
         low, high = self._full_strength

@@ -30,7 +30,9 @@ def commanded(joints=None, velocity=None, since_s=0.0, turn=None):
 
 
 def test_balance_is_given_up_where_no_step_reaches_and_sooner_where_the_trunk_has_toppled():
-    com = lambda beyond: np.array([0.1 + beyond, 0.0, 0.9])  # noqa: E731
+    def com(beyond: float) -> np.ndarray:
+        return np.array([0.1 + beyond, 0.0, 0.9])
+
     assert not is_lost(SQUARE, com(LOST_M - 0.01), 0.9) and is_lost(SQUARE, com(LOST_M + 0.01), 0.9)
     assert not is_lost(SQUARE, com(TOPPLED_M - 0.01), 0.1) and is_lost(SQUARE, com(TOPPLED_M + 0.01), 0.1)
 
