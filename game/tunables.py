@@ -130,6 +130,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("whole_body.spin_weight", 1.0, "weight of keeping angular momentum small", 0.0, 30.0),
         Tunable("whole_body.strength", 2.0, "scale of the torque limits; 1 is a young man of the body's mass (game/characters/strength.py), enough for the performers; what a sensor sees asks for more", 0.2, 5.0),
         Tunable("whole_body.hold", 0.2, "share of a joint's inertia that damps it towards the planned velocity between control ticks", 0.0, 1.0),
+        Tunable("whole_body.get_up", True, "who has fallen gets up again; off: stays where it lies"),
         Tunable("control.rate_hz", "60", "how often gains, gravity torque and balance are computed anew", unit="Hz", choices=("60", "120", "240", "480")),
         # physics
         Tunable("physics.step_s", 1.0 / 240.0, "physics time step; rounded to a whole number of steps in 1/60 s", 0.00001, 1.0 / 60.0, "s", log=True, restart=True),

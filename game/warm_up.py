@@ -16,7 +16,7 @@ WARM_UP_S = 0.2
 PLAYS: tuple[tuple[str, str, dict[str, str], float], ...] = (
     ("mirror", "performer:standing", {}, WARM_UP_S),
     ("mirror", "performer:stepping", {}, 2.5),
-    ("mirror", "performer:jump", {"whole_body.strength": "0.4"}, 4.0),
+    ("mirror", "performer:jump", {"whole_body.strength": "0.4"}, 4.6),
     ("duel", "script", {}, WARM_UP_S),
     (
         "mirror",
@@ -31,7 +31,7 @@ PLAYS: tuple[tuple[str, str, dict[str, str], float], ...] = (
         WARM_UP_S,
     ),
 )
-"""Scene, input, settings and simulated seconds that together call every compiled loop: the weak jumper stumbles and falls."""
+"""Scene, input, settings and simulated seconds that together call every compiled loop: the weak jumper falls and tries to get up."""
 
 
 class TellOnce(event.Listener):

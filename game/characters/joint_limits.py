@@ -9,10 +9,14 @@ by 25 degrees instead of 15 gives way under shoves and lunges. A standing ankle 
 measured lying: 40 degrees, as in a deep lunge.
 """
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
+from game import rotation_compiled as one
 from game.characters.skeleton import JOINTS
+from game.compiled import compiled
 
 Floats = NDArray[np.float64]
 
@@ -49,3 +53,22 @@ def _ranges() -> tuple[Floats, Floats]:
 
 LOW, HIGH = _ranges()
 """(14, 3) rad each."""
+
+
+@compiled
+def in_range_of(turn: Floats, low: Floats, high: Floats) -> Floats:
+    """The rotation vector (3,) of `turn` (4,), of the two that mean it the one nearer to low and high (3,) rad.
+
+    An arm that is raised by 190 degrees has not been lowered by 170.
+    """
+    angle = one.log(turn)
+    size = one.length(angle)
+    if size > 0.5 * math.pi and one.dot(angle, low + high) < 0.0:
+        other = (1.0 - 2.0 * math.pi / size) * angle
+        past, other_past = 0.0, 0.0
+        for axis in range(3):
+            past = max(past, low[axis] - angle[axis], angle[axis] - high[axis])
+            other_past = max(other_past, low[axis] - other[axis], other[axis] - high[axis])
+        if other_past < past:
+            return other
+    return angle

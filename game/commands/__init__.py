@@ -10,6 +10,8 @@ COMMANDS: Mapping[str, str] = {
     "benchmark": "game.commands.benchmark",
     "upright": "game.commands.upright",
     "pushes": "game.commands.pushes",
+    "getups": "game.commands.getups",
+    "search-getups": "game.commands.search_getups",
     "kinect": "game.commands.kinect",
 }
 """Name to module; imported only when asked for, so that a run without a picture never imports what draws one."""

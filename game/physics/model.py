@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import mujoco as mj
 
 from game.characters.body_plan import BodyPlan
-from game.characters.skeleton import JOINTS, PARENT, PARTS
+from game.characters.skeleton import FEET, JOINTS, PARENT, PARTS
 
 FLOOR_BIT = 1
 INTEGRATORS = {
@@ -56,6 +56,9 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
 
 SOLREF = [0.01, 1.0]
 
+SKIN_M = 0.01
+"""What falls to the floor is caught this much before it: in one step of 1/240 s a hand at 4 m/s goes 1.7 cm. Feet are bare."""
+
 
 def _already_counted(_text: str) -> None:
     """MuJoCo's warnings stand in `MjData.warning`."""
@@ -86,7 +89,18 @@ def _add_character(spec: mj.MjSpec, plan: BodyPlan, index: int, count: int, fric
             solref=SOLREF,
         )
         bodies.append(body)
+        if part not in FEET:
+            _add_skin(spec, f"c{index}.{name}", friction)
     hang = spec.add_equality(name=f"c{index}.hang", type=mj.mjtEq.mjEQ_WELD, objtype=mj.mjtObj.mjOBJ_BODY)
     hang.name1 = f"c{index}.pelvis"
     hang.active = False
     hang.solref = [0.01, 1.0]
+
+
+def _add_skin(spec: mj.MjSpec, geom: str, friction: float) -> None:
+    pair = spec.add_pair(name=f"{geom}.skin")
+    pair.geomname1, pair.geomname2 = "floor", geom
+    pair.margin = SKIN_M
+    pair.condim = 3
+    pair.friction = [friction, friction, 0.005, 0.0001, 0.0001]
+    pair.solref = SOLREF

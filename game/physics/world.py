@@ -170,6 +170,7 @@ class World:
         if wanted != self._friction:
             self._friction = wanted
             self.model.geom_friction[:, 0] = wanted
+            self.model.pair_friction[:, :2] = wanted
 
     def _apply_pushes(self) -> list[Push]:
         """Write the pushes that still last; the point is the part's centre at the start of this step."""

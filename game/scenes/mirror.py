@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 
+from game.control.whole_body.on_the_floor import Stage
+from game.control.whole_body.whole_body import WholeBody
 from game.drawables import Layer
 from game.report.observer import Observer
 from game.report.session_report import Stopwatch, peak_torques, simulation_report
@@ -14,6 +16,14 @@ from game.scenes.played_scene import PlayedScene
 from game.scenes.scene import CameraHint, Plot
 from game.scenes.simulation import Simulation
 from game.scenes.staging import CAMERAS
+
+
+def what_follows(fighter: Fighter) -> str:
+    """A fall, as far as the fighter's strategy makes something of it."""
+    strategy = fighter.strategy
+    if not isinstance(strategy, WholeBody):
+        return ""
+    return {Stage.UP: " and stands again", Stage.DOWN: " and cannot get up", Stage.FALLING: ""}.get(strategy.floor.stage, " and gets up")
 
 
 class Mirror(PlayedScene):
@@ -61,7 +71,7 @@ class Mirror(PlayedScene):
         if fighter.fault:
             said.append(fighter.fault[0].upper() + fighter.fault[1:] + ".")
         if clock.fell_at_s is not None:
-            said.append(f"It fell after {clock.fell_at_s:.1f} s. R starts again.")
+            said.append(f"It fell after {clock.fell_at_s:.1f} s{what_follows(fighter)}. R starts again.")
         return tuple(said + self.simulation.world.faults[-1:])
 
     def score(self) -> str | None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from game import rotation
-from game.characters.joint_limits import HIGH, LOW
+from game.characters.joint_limits import HIGH, LOW, in_range_of
 from game.characters.skeleton import JOINTS
 from game.scenes.fighter import Fighter
 from game.tunables import Settings
@@ -82,3 +82,22 @@ def test_what_real_players_do_is_within_reach_of_a_human(clip):
     if not path.exists():
         pytest.skip(f"{path} is not there: the recordings lie beside the project")
     assert (beyond(targets(f"clip:{path}")) < NEAR_RAD).mean() > 0.99
+
+
+def test_an_arm_raised_past_straight_up_has_not_been_lowered():
+    row = JOINTS.index("shoulder_left")
+    raised = rotation.exp(np.radians([0.0, -190.0, 0.0]))
+    assert np.degrees(rotation.log(raised))[LEFT] == pytest.approx(170.0)
+    assert np.degrees(in_range_of(raised, LOW[row], HIGH[row])) == pytest.approx([0.0, -190.0, 0.0])
+
+
+def test_whatever_lies_in_its_range_or_near_it_is_told_as_it_is():
+    rng = np.random.default_rng(2)
+    for row in range(len(JOINTS)):
+        for share in rng.uniform(-0.1, 1.1, (20, 3)):
+            angle = LOW[row] + share * (HIGH[row] - LOW[row])
+            told = in_range_of(rotation.exp(angle), LOW[row], HIGH[row])
+            # another vector of the same turn may be told only where it is no farther out
+            assert np.allclose(rotation.matrix(rotation.exp(told)), rotation.matrix(rotation.exp(angle)))
+            out, told_out = (np.maximum(LOW[row] - a, a - HIGH[row]).max() for a in (angle, told))
+            assert told_out <= max(out, 0.0) + 1e-9

@@ -3,12 +3,15 @@
 import numpy as np
 import pytest
 
-from game.characters.skeleton import PARTS
+from game import rotation
+from game.characters.skeleton import FEET, PARTS
 from game.physics.contacts import contact_forces
+from game.physics.dynamics import lowest_corner
+from game.physics.model import SKIN_M
 from game.physics.root_balance import cone_excess
 from game.physics.world import World
 from game.tunables import Settings
-from tests.physics.standing import hold, limp, original, run, swing, thrash, world_of
+from tests.physics.standing import hold, idle_joints, limp, original, run, swing, thrash, world_of
 
 WEIGHT_N = 9.81 * 94.536
 
@@ -95,3 +98,28 @@ def test_parts_of_one_body_collide_only_where_asked():
 def test_a_force_outside_its_friction_cone_would_be_noticed(wrench, excess):
     rows = np.array([[*wrench, 0.0, 0.0, 0.0]])
     assert cone_excess(rows, np.full((1, 5), 0.5)) == pytest.approx(excess, abs=1e-4)
+
+
+def test_what_lies_is_borne_by_its_skin_and_feet_are_bare():
+    world = world_of((0.0, 0.0, 0.0))
+    world.place(0, np.array([0.0, 0.0, 0.2]), rotation.exp(np.array([0.0, -0.5 * np.pi, 0.0])), idle_joints())
+    run(world, 480, limp)
+    body = world.characters[0]
+    world.refresh()
+    lowest = [lowest_corner(body.turn[part], body.box_centre[part], body.plan.size[part] / 2.0) for part in range(len(PARTS))]
+    assert 0.005 < min(low for part, low in enumerate(lowest) if part not in FEET) < SKIN_M
+    assert min(lowest[part] for part in FEET) < 0.002
+
+
+def test_skin_rubs_as_hard_as_soles_do():
+    """A body that slides on its back is stopped by friction within v^2 / (2 mu g), and one on ice slides on."""
+    way = {}
+    for friction in (0.5, 0.05):
+        world = world_of((0.0, 0.0, 0.0), physics__friction=friction)
+        world.place(0, np.array([0.0, 0.0, 0.11]), rotation.exp(np.array([0.0, -0.5 * np.pi, 0.0])), idle_joints())
+        run(world, 240, limp)
+        world.data.qvel[1] = 1.5
+        start = world.data.qpos[1]
+        run(world, 480, limp)
+        way[friction] = world.data.qpos[1] - start
+    assert way[0.5] < 1.5**2 / (2.0 * 0.5 * 9.81) * 1.3 and way[0.05] > 2.0 * way[0.5]

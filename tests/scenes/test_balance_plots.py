@@ -121,7 +121,7 @@ def test_in_the_hang_nothing_is_planned_yet() -> None:
 def test_a_fallen_body_plans_nothing() -> None:
     scene = mirror("performer:standing", 0.2)
     strategy = scene.simulation.fighters[0].strategy
-    strategy.fallen = True  # type: ignore[attr-defined]
+    strategy.floor.fall()  # type: ignore[attr-defined]
     run_s(scene, 0.3)
     plan = scene.plots()[0]
     assert plan.note == "It has fallen: nothing is planned." and "capture point wanted" not in plan.series

@@ -4,9 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
-from game.characters.joint_limits import HIGH, LOW
-from game.characters.skeleton import JOINT_COUNT, JOINTS
+from game.characters.joint_limits import HIGH, LOW, in_range_of
 from game.compiled import compiled
+from game.control.whole_body.key_poses import pose_of
 from game.control.whole_body.support_polygon import distance_inside
 
 Floats = NDArray[np.float64]
@@ -26,8 +26,14 @@ BRACED_RATE, LIMP_RATE = 9.0, 2.0
 DAMPING_RATE = 22.0
 """1/s at which a joint that nothing moves comes to rest against its own limb; against the whole body it is less."""
 
-STOP_RAD = 0.12
-"""So far past the end of its range a joint meets as much resistance as its muscles are strong."""
+LEAST_DAMPING = 1.0
+"""N m s/rad: a hand is so light that the floor would throw it about its wrist."""
+
+STOP_RAD, LIGAMENTS = 0.12, 2.0
+"""So far past the end of its range a joint meets as much resistance as so many times its muscles: ligaments, not muscles, stop it."""
+
+LEAST_STOP_NM = 15.0
+"""No stop is weaker: a wrist has to bear what falls on the hand."""
 
 STOP_S = 0.02
 """The stop damps as a spring that settles in this time."""
@@ -36,20 +42,10 @@ SOON_S = 0.03
 """The stop is felt by a joint that will be past the end so much later."""
 
 
-def _pose(**turned: tuple[float, float, float]) -> Floats:
-    """(42,) rotation vectors; `shoulder=` turns the left one, and the right one as in a mirror."""
-    out = np.zeros((JOINT_COUNT, 3))
-    for row, joint in enumerate(JOINTS):
-        name, _, side = joint.partition("_")
-        x, y, z = turned.get(name, (0.0, 0.0, 0.0))
-        out[row] = (-x, y, -z) if side == "right" else (x, y, z)
-    return out.reshape(-1)
-
-
-FORWARD = _pose(neck=(0, -0.4, 0), shoulder=(0.2, -1.3, 0), elbow=(0, -0.5, 0), hip=(0.1, -0.3, 0), knee=(0, 0.5, 0))
-BACKWARD = _pose(neck=(0, 0.6, 0), spine=(0, 0.5, 0), shoulder=(0.5, 0.5, 0), elbow=(0, -0.4, 0), hip=(0.1, -1.0, 0), knee=(0, 1.0, 0))
-SIDEWAYS = _pose(neck=(0, 0.2, 0), shoulder=(1.0, -0.4, 0), elbow=(0, -0.6, 0), hip=(0.1, -0.5, 0), knee=(0, 0.7, 0))
-"""Protective poses (42,) rad of a body that falls to its front, to its back, and to either side."""
+FORWARD = pose_of(neck=(0, -0.4, 0), shoulder=(0.2, -1.3, 0), elbow=(0, -0.5, 0), hip=(0.1, -0.3, 0), knee=(0, 0.5, 0))
+BACKWARD = pose_of(neck=(0, 0.6, 0), spine=(0, 0.5, 0), shoulder=(0.5, 0.5, 0), elbow=(0, -0.4, 0), hip=(0.1, -1.0, 0), knee=(0, 1.0, 0))
+SIDEWAYS = pose_of(neck=(0, 0.2, 0), shoulder=(1.0, -0.4, 0), elbow=(0, -0.6, 0), hip=(0.1, -0.5, 0), knee=(0, 0.7, 0))
+"""Protective poses (14, 3) rad of a body that falls to its front, to its back, and to either side."""
 
 
 @compiled
@@ -61,7 +57,7 @@ def is_lost(hull: Floats, com: Floats, trunk_up: float) -> bool:
 
 @compiled
 def protective_pose(down: Floats) -> Floats:
-    """(42,) rad; down (3,): where the floor is in the axes of the trunk. It matters as far as the trunk has tilted."""
+    """(14, 3) rad; down (3,): where the floor is in the axes of the trunk. It matters as far as the trunk has tilted."""
     ahead, aside = down[0], abs(down[1])
     total = max(abs(ahead) + aside, 1e-6)
     front, back, side = max(ahead, 0.0) / total, max(-ahead, 0.0) / total, aside / total
@@ -84,16 +80,16 @@ def fall(
     rate = LIMP_RATE + braced * (BRACED_RATE - LIMP_RATE)
     wanted = np.empty(3)
     for j in range(len(joint_rotation)):
-        angle = one.log(joint_rotation[j])
+        angle = in_range_of(joint_rotation[j], LOW[j], HIGH[j])
         for axis in range(3):
             row = 3 * j + axis
-            wanted[axis] = min(max(pose[row], LOW[j, axis]), HIGH[j, axis])
-            kp[row], kd[row] = rate * rate * inertia[row], DAMPING_RATE * inertia[row]
+            wanted[axis] = min(max(pose[j, axis], LOW[j, axis]), HIGH[j, axis])
+            kp[row], kd[row] = rate * rate * inertia[row], max(DAMPING_RATE * inertia[row], LEAST_DAMPING)
             soon = angle[axis] + SOON_S * velocity[row]
             over, under = soon > HIGH[j, axis], soon < LOW[j, axis]
             if over or under:
                 # back from where it is: the strength of the muscles on the other side sets the measure
-                stop = max(-low[row] if over else high[row], 1.0) / STOP_RAD
+                stop = max(LIGAMENTS * (-low[row] if over else high[row]), LEAST_STOP_NM) / STOP_RAD
                 kp[row] += stop
                 kd[row] += STOP_S * stop
                 wanted[axis] = HIGH[j, axis] if over else LOW[j, axis]

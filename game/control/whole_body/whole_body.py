@@ -12,7 +12,7 @@ from game.control.ankle_strategy import AnkleStrategy
 from game.control.joint_command import BodyState, JointCommand
 from game.control.whole_body.capture_point import capture_point, natural_frequency, players_capture_point, steer
 from game.control.whole_body.contact_wrenches import cone_rows
-from game.control.whole_body.falling import fall, is_lost
+from game.control.whole_body.falling import is_lost
 from game.control.whole_body.felt_push import FeltPush
 from game.control.whole_body.foot_goals import flight_task, foot_task
 from game.control.whole_body.footing import Footing
@@ -20,10 +20,12 @@ from game.control.whole_body.hold_damping import hold
 from game.control.whole_body.leap import ComHeight, leap_speed, taking_off
 from game.control.whole_body.leg_kinematics import sole_motions
 from game.control.whole_body.motion_window import Motion, MotionWindow
+from game.control.whole_body.on_the_floor import OnTheFloor, Stage
 from game.control.whole_body.pelvis_goal import held_by_feet
 from game.control.whole_body.player_stance import PlayerStance
 from game.control.whole_body.posed_tick import Body, Numbers, Wanted, pose_and_answer, room_for_posed
 from game.control.whole_body.sole import PRESSURE_MARGIN_M, Sole, soles_of
+from game.control.whole_body.standing_up import StandingUp
 from game.control.whole_body.torque_limits import Problem, within_limits
 from game.control.whole_body.wish import wish_of
 from game.target.kinematic_target import KinematicTarget
@@ -103,7 +105,8 @@ class WholeBody:
         self._since_s = 0.0
         self._goal: tuple[float, float] | None = None
         self.com_target = dynamics.com.copy()
-        self.fallen, self._fallen_s = False, 0.0
+        self.floor = OnTheFloor()
+        self._rise: StandingUp | None = None
         self._height = ComHeight()
         self.wrench = np.zeros(0)
         self.standing: tuple[int, ...] = ()
@@ -115,15 +118,47 @@ class WholeBody:
         self._listen(target, dynamics, dt)
         if dynamics.held:
             return self._hanging.command(target, dynamics, dt)
-        if self.fallen or dynamics.com[2] < min(0.5, 0.8 * target.com[2]):
-            return self._fall(dynamics, dt)
         soles = soles_of(dynamics)
-        if not self.footing.flying and is_lost(self.footing.hull(soles, 0.0), dynamics.com, float(dynamics.turn[_TRUNK, 2, 2])):
-            return self._fall(dynamics, dt)
+        if self._has_fallen(target, dynamics, soles, dt):
+            return self.floor.command(dynamics, self._full_strength, self._settings.number("whole_body.strength"), dt)
         delay = self._settings.number("whole_body.delay_s")
         motion = self._window.moment(self._window.newest_s + self._since_s - delay)
+        if self._rise is not None:
+            motion = self._rise.on_the_way(motion, dt)
+            self._rise = None if self._rise.done else self._rise
         frequency = self._plan(motion, dynamics, soles, dt)
         return self._solve(motion, dynamics, soles, frequency, dt)
+
+    @property
+    def fallen(self) -> bool:
+        """It falls, lies or gets up; nothing is planned."""
+        return self.floor.lies
+
+    @property
+    def stays_down(self) -> bool:
+        """It has tried to get up often enough."""
+        return self.floor.stays_down
+
+    def _has_fallen(self, target: KinematicTarget, body: BodyState, soles: tuple[Sole, Sole], dt: float) -> bool:
+        floor = self.floor
+        if floor.lies:
+            if floor.stands_ready(body, self._settings.switch("whole_body.get_up"), dt):
+                self._take_stance(target, body)
+            return floor.lies
+        if floor.stage is Stage.STANDING_UP:
+            floor.rise(float(body.com[2]), float(target.com[2]) - self._player.floor_z, dt)
+        elif body.com[2] < min(0.5, 0.8 * target.com[2]):
+            floor.fall()
+        if not self.footing.flying and is_lost(self.footing.hull(soles, 0.0), body.com, float(body.turn[_TRUNK, 2, 2])):
+            floor.fall()
+        return floor.lies
+
+    def _take_stance(self, target: KinematicTarget, body: BodyState) -> None:
+        """Both feet stand where they are, and the player's world lies over them."""
+        self.footing, self.felt, self._height, self._goal = Footing(), FeltPush(), ComHeight(), None
+        self._player.settle(target, body.joint[_FEET], one.yaw(body.orientation[0]))
+        self._player.watch(target)
+        self._rise = StandingUp(body, self._player)
 
     def _listen(self, target: KinematicTarget, dynamics: BodyState, dt: float) -> None:
         self._since_s += dt
@@ -244,13 +279,3 @@ class WholeBody:
         friction = 0.9 * min(self._settings.number("physics.friction"), 1.0)
         yaws = tuple(soles[side].yaw for side in standing)
         return cone_rows(yaws, friction, soles[0].half_length, soles[0].half_width)
-
-    def _fall(self, body: BodyState, dt: float) -> JointCommand:
-        """The protective pose of `falling`, ever less firm."""
-        self.fallen = True
-        rotation, kp, kd = np.empty((JOINT_COUNT, 4)), np.empty(3 * JOINT_COUNT), np.empty(3 * JOINT_COUNT)
-        inertia = np.ascontiguousarray(np.diagonal(body.equations[0])[6:])
-        low, high = self._full_strength
-        fall(self._fallen_s, body.turn[_TRUNK], body.joint_rotation, body.velocity[6:], inertia, low, high, rotation, kp, kd)
-        self._fallen_s += dt
-        return JointCommand(rotation, _NOTHING, kp, kd, _NOTHING)

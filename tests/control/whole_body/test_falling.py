@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from game import rotation
-from game.characters.joint_limits import HIGH, LOW
+from game.characters.joint_limits import HIGH, LOW, in_range_of
 from game.characters.skeleton import JOINT_COUNT, JOINTS, PARTS
 from game.characters.strength import joint_strength
-from game.control.whole_body.falling import LET_GO_S, LIMP_RATE, LOST_M, STOP_RAD, TOPPLED_M, fall, is_lost, protective_pose
+from game.control.whole_body.falling import LET_GO_S, LIGAMENTS, LIMP_RATE, LOST_M, STOP_RAD, TOPPLED_M, fall, is_lost, protective_pose
 from game.tunables import Settings
 from tests.physics.standing import bent, original
 from tests.scenes.staged import make_scene, run_s
@@ -42,7 +42,7 @@ def test_who_bows_to_the_floor_over_the_feet_has_not_lost_the_balance():
 
 
 def test_arms_go_ahead_in_a_fall_to_the_front_and_the_chin_is_tucked_in_one_to_the_back():
-    front, back = protective_pose(np.array([1.0, 0.0, -0.1])), protective_pose(np.array([-1.0, 0.0, -0.1]))
+    front, back = (protective_pose(np.array([ahead, 0.0, -0.1])).reshape(-1) for ahead in (1.0, -1.0))
     for side in ("left", "right"):
         shoulder = 3 * JOINTS.index(f"shoulder_{side}") + 1
         assert front[shoulder] < -1.0 and back[shoulder] > 0.3
@@ -72,7 +72,7 @@ def test_a_joint_past_the_end_of_its_range_meets_as_much_as_its_muscles_hold():
     past = LOW.reshape(-1)[KNEE] - 0.05
     goal, kp, _ = commanded(bent(knee_left=(0.0, past, 0.0)))
     assert goal[KNEE] == pytest.approx(LOW.reshape(-1)[KNEE])
-    assert kp[KNEE] > STRENGTH[1][KNEE] / STOP_RAD
+    assert kp[KNEE] > LIGAMENTS * STRENGTH[1][KNEE] / STOP_RAD
 
 
 def test_a_joint_that_will_soon_be_past_it_is_braked_already():
@@ -83,7 +83,7 @@ def test_a_joint_that_will_soon_be_past_it_is_braked_already():
 @cache
 def shoved(direction_deg: float) -> dict[str, float]:
     """What a shove of 200 N s at the chest leads to within three seconds: rad/s, rad, m."""
-    settings = Settings({"physics.self_collision": True})
+    settings = Settings({"physics.self_collision": True, "whole_body.get_up": False})
     scene = make_scene("mirror", "performer:standing", settings)
     scene.enter()
     run_s(scene, 0.5)
@@ -95,7 +95,7 @@ def shoved(direction_deg: float) -> dict[str, float]:
     for _ in range(180):
         scene.fixed_update()
         speeds.append(np.linalg.norm(body.velocity[6:].reshape(-1, 3), axis=1))
-        angles = rotation.log(body.joint_rotation)
+        angles = np.array([in_range_of(*row) for row in zip(body.joint_rotation, LOW, HIGH, strict=True)])
         past.append(np.maximum(np.maximum(LOW - angles, angles - HIGH), 0.0).max())
     out = {
         "fallen": float(simulation.fighters[0].strategy.fallen),
