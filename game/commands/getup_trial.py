@@ -94,6 +94,7 @@ class Trial:
             turn = rng.normal(size=4)
             joints = 0.6 * (LOW + (HIGH - LOW) * rng.uniform(0.1, 0.9, LOW.shape))
             world.place(0, np.array([0.0, 0.0, _DROP_M]), turn / np.linalg.norm(turn), exp(joints))
+        self._forget()
         rotation, kp, kd = np.empty((JOINT_COUNT, 4)), np.empty(3 * JOINT_COUNT), np.empty(3 * JOINT_COUNT)
         for frame in range(round(_LIE_S * FRAME_HZ)):
             inertia = np.ascontiguousarray(np.diagonal(body.equations[0])[6:])
@@ -132,6 +133,11 @@ class Trial:
 
     def _place(self, configuration: Floats) -> None:
         self.world.place(0, configuration[:3], configuration[3:7], configuration[7:].reshape(-1, 4))
+        self._forget()
+
+    def _forget(self) -> None:
+        """The solver's last answer would change the last bits of the next one."""
+        self.world.data.qacc_warmstart[:] = 0.0
 
     def _drive(self, getting_up: GettingUp) -> None:
         """One frame."""

@@ -95,7 +95,7 @@ def evolution_strategy() -> Any:
         with warnings.catch_warnings(action="ignore"):  # it misses matplotlib, which we do not plot with
             from cma import CMAEvolutionStrategy
     except ImportError as fault:
-        raise BadInput("the search needs the package cma; install it with: pip install cma") from fault
+        raise BadInput("the search needs the package cma; install it with: pip install cma, or topple[search]") from fault
     return CMAEvolutionStrategy
 
 

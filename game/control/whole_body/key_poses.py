@@ -16,7 +16,7 @@ from game.characters.skeleton import JOINT_COUNT, JOINTS
 Floats = NDArray[np.float64]
 
 ROUTES = "side", "supine", "prone"
-"""From the right side to the back or the front, from the back over to the front, and from there up."""
+"""From the right side and from the back over to the front, and from there up."""
 
 KEY_POSES = "getting_up.toml"
 
