@@ -21,7 +21,7 @@ from game.scenes.staging import CAMERAS
 def what_follows(fighter: Fighter) -> str:
     """A fall, as far as the fighter's strategy makes something of it."""
     strategy = fighter.strategy
-    if not isinstance(strategy, WholeBody):
+    if not isinstance(strategy, WholeBody) or not strategy.floor.falls:
         return ""
     return {Stage.UP: " and stands again", Stage.DOWN: " and cannot get up", Stage.FALLING: ""}.get(strategy.floor.stage, " and gets up")
 

@@ -40,10 +40,10 @@ class Stage(Enum):
 
 
 class OnTheFloor:
-    """stage; tries: how often it has begun to get up since it last stood."""
+    """stage; tries: how often it has begun to get up since it last stood; falls: how often it lost its balance."""
 
     def __init__(self) -> None:
-        self.stage, self.tries = Stage.UP, 0
+        self.stage, self.tries, self.falls = Stage.UP, 0, 0
         self._since_s = 0.0
         self._try: GettingUp | None = None
 
@@ -59,6 +59,7 @@ class OnTheFloor:
     def fall(self) -> None:
         """The balance is lost, once more perhaps."""
         self._enter(Stage.FALLING)
+        self.falls += 1
 
     def _enter(self, stage: Stage) -> None:
         self.stage, self._since_s = stage, 0.0

@@ -30,7 +30,9 @@ def laid_down(turn, seconds, **settings):
 
 @pytest.mark.parametrize("turn", TURNS.values(), ids=TURNS)
 def test_it_stands_again(turn):
-    scene = laid_down(turn, 14.0)
+    scene = laid_down(turn, 0.0)
+    assert not any("stands again" in said for said in scene.messages())
+    run_s(scene, 14.3)
     simulation = scene.simulation
     fighter, world = simulation.fighters[0], simulation.world
     assert isinstance(fighter.strategy, WholeBody) and fighter.strategy.floor.stage is Stage.UP
