@@ -11,8 +11,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from game.characters.skeleton import PARTS
 from game.commands.casting import Casting
+from game.commands.shove import shove_chest
 from game.render.camera import Camera
 from game.render.capture import read_pixels, save_png
 from game.render.gl_window import open_gl
@@ -23,7 +23,6 @@ from game.tunables import Settings
 
 CELL, DRAWN = (210, 230), 2
 GAP = 4
-PUSH_S = 0.2
 ROWS = (
     (60.0, 100.0, (0.0, 0.2, 0.4, 0.6, 0.8, 1.2, 2.5)),
     (180.0, -20.0, (0.1, 0.3, 0.5, 0.7, 0.9, 1.1, 1.4)),
@@ -46,9 +45,7 @@ def row_of(impulse_ns: float, direction_deg: float, moments_s: tuple[float, ...]
         world = simulation.world
         while simulation.time_s < 0.5:
             simulation.advance()
-        angle = math.radians(direction_deg)
-        force = impulse_ns / PUSH_S * np.array([math.cos(angle), math.sin(angle), 0.0])
-        world.push(0, PARTS.index("trunk"), force, round(PUSH_S / world.step_s))
+        shove_chest(world, math.radians(direction_deg), impulse_ns)
         began_s, cells = simulation.time_s, []
         for moment in moments_s:
             while simulation.time_s - began_s < moment - 1e-9:

@@ -10,8 +10,9 @@ import numpy as np
 
 from game import rotation
 from game.characters.joint_limits import HIGH, LOW, in_range_of
-from game.characters.skeleton import PART_COUNT, PARTS
+from game.characters.skeleton import PART_COUNT
 from game.commands.casting import Casting
+from game.commands.shove import PUSH_S, shove_chest
 from game.control.whole_body.on_the_floor import Stage
 from game.control.whole_body.whole_body import WholeBody
 from game.physics.dynamics import BodyDynamics, lowest_corner
@@ -21,7 +22,6 @@ from game.tunables import Settings, Value
 
 Row = dict[str, Any]
 
-PUSH_S = 0.2
 LEAST_NS, MOST_NS = 140.0, 250.0
 FIRST_S, LAST_S = 0.5, 1.5
 """When the shove comes, seconds after the release."""
@@ -70,8 +70,7 @@ def shove_once(case: GetupCase, settings: Settings) -> Row:
             simulation.advance()
         body = world.characters[0]
         towards = rotation.yaw(body.orientation[0]) + direction
-        force = impulse / PUSH_S * np.array([math.cos(towards), math.sin(towards), 0.0])
-        world.push(0, PARTS.index("trunk"), force, round(PUSH_S / world.step_s))
+        shove_chest(world, towards, impulse)
         rule, fall, began_s = UpAgain(), FallMeter(body), simulation.time_s
         since_s = 0.0
         while since_s < WATCHED_S and (since_s < PUSH_S or rule.up_s is None or since_s < rule.up_s + STOOD_S):

@@ -9,7 +9,8 @@ from game.characters.joint_limits import HIGH, LOW
 from game.characters.skeleton import FEET, JOINT_COUNT, JOINTS, PARTS
 from game.characters.strength import joint_strength
 from game.commands.casting import body_plan
-from game.commands.getup_case import LEAST_NS, MOST_NS, PUSH_S
+from game.commands.getup_case import LEAST_NS, MOST_NS
+from game.commands.shove import shove_chest
 from game.control.joint_command import JointCommand
 from game.control.whole_body.capture_point import capture_point, natural_frequency
 from game.control.whole_body.falling import fall
@@ -88,8 +89,7 @@ class Trial:
             joints = 0.2 * rng.normal(size=LOW.shape)
             world.place(0, body.plan.joint[0], about_z(0.0), exp(np.clip(joints, LOW, HIGH)))
             angle, impulse_ns = rng.uniform(-np.pi, np.pi), rng.uniform(LEAST_NS, MOST_NS)
-            force = impulse_ns / PUSH_S * np.array([np.cos(angle), np.sin(angle), 0.0])
-            world.push(0, _TRUNK, force, round(PUSH_S / world.step_s))
+            shove_chest(world, angle, impulse_ns)
         else:
             turn = rng.normal(size=4)
             joints = 0.6 * (LOW + (HIGH - LOW) * rng.uniform(0.1, 0.9, LOW.shape))

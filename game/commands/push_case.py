@@ -6,18 +6,15 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-import numpy as np
-
 from game import rotation
-from game.characters.skeleton import PARTS
 from game.commands.casting import Casting
+from game.commands.shove import PUSH_S, shove_chest
 from game.report.recovery import Recovery
 from game.scenes.mirror import Mirror
 from game.tunables import Settings, Value
 
 Row = dict[str, Any]
 
-PUSH_S = 0.2
 GRID_NS, FINE_NS, MOST_NS = 10.0, 2.0, 400.0
 """Every step of the grid is tried from below up to the first that is not recovered from, then the finer ones before it."""
 
@@ -86,8 +83,7 @@ def push_once(case: PushCase, settings: Settings, impulse_ns: float, attempt: in
             simulation.advance()
         body = world.characters[0]
         towards = rotation.yaw(body.orientation[0]) + math.radians(case.direction_deg)
-        force = impulse_ns / PUSH_S * np.array([math.cos(towards), math.sin(towards), 0.0])
-        world.push(0, PARTS.index("trunk"), force, round(PUSH_S / world.step_s))
+        shove_chest(world, towards, impulse_ns)
         rule, began_s = Recovery(body, fighter.target, PUSH_S), simulation.time_s
         while not rule.outcome:
             simulation.advance()
