@@ -31,6 +31,9 @@ LATE_S = 0.15
 STEP_M = 0.05
 """A foot that comes down this much farther from where it stood than the player's own foot went has taken a step."""
 
+STOOD_S = 0.05
+"""It has come down once it has touched the floor for so long: a sole that grazes the floor on its way has not."""
+
 _FEET = np.array(FEET)
 _TRUNK = PARTS.index("trunk")
 
@@ -88,6 +91,7 @@ class Recovery:
         self._stood = body.joint[_FEET].copy()
         self._player_stood = target.pose.joint[_FEET].copy()
         self._off = [not on for on in body.foot_contact]
+        self._touches_since: list[float | None] = [None, None]
         self._near_since: float | None = None
         self.steps = 0
         self.tilt_rad = 0.0
@@ -100,7 +104,7 @@ class Recovery:
         if self.outcome:
             return
         before = self.steps
-        self._count_steps(body, target)
+        self._count_steps(since_s, body, target)
         if since_s <= self._push_s or self.steps > before:
             self._near_since = self.back_s = None
         own = stance_of(body.joint, body.orientation)
@@ -118,8 +122,13 @@ class Recovery:
         elif since_s >= LIMIT_S:
             self.outcome = "recovered" if self.back_s is not None else "not back in stance"
 
-    def _count_steps(self, body: SeenBody, target: KinematicTarget) -> None:
+    def _count_steps(self, since_s: float, body: SeenBody, target: KinematicTarget) -> None:
         for side, touches in enumerate(body.foot_contact):
+            before = self._touches_since[side]
+            began_s = since_s if before is None else before
+            self._touches_since[side] = began_s if touches else None
+            if touches and self._off[side] and since_s - began_s < STOOD_S - 1e-9:
+                continue
             place, players = body.joint[FEET[side]], target.pose.joint[FEET[side]]
             if touches and self._off[side]:
                 own = math.dist(place[:2], self._stood[side, :2])

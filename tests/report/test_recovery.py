@@ -98,6 +98,16 @@ def test_steps_are_counted_and_more_than_three_are_too_many(steps):
     assert rule.steps == steps
 
 
+def test_a_sole_that_grazes_the_floor_on_its_way_has_taken_no_step():
+    def at(t):
+        """A left foot in the air for 0.4 s, which touches for two frames half-way."""
+        grazes = abs(t - 0.7) < 1.2 * DT
+        way = 0.0 if t < 0.5 else min((t - 0.5) / 0.4, 1.0)
+        return replace(foot_moved(0, (0.0, 2.0 * STEP_M * way, 0.0)), foot_contact=(not 0.5 < t < 0.9 or grazes, True))
+
+    assert judge(at).steps == 1
+
+
 def test_a_foot_that_comes_down_where_it_stood_has_taken_no_step():
     rule = judge(lambda t: body(touches=(not 0.5 < t < 0.8, True)))
     assert rule.outcome == "recovered" and rule.steps == 0

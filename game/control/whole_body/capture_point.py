@@ -29,6 +29,12 @@ def predicted(xi: Floats, pivot: Floats, frequency: float, time_s: float) -> Flo
     return pivot + (xi - pivot) * math.exp(frequency * time_s)
 
 
+def pushed_away(push: Floats, frequency: float, lasts_s: float, time_s: float) -> Floats:
+    """(2,) m that an acceleration `push` (2,) m/s^2 of the COM, which lasts so long, adds to the way of the capture point in `time_s`."""
+    lasts_s = min(lasts_s, time_s)
+    return (math.exp(frequency * lasts_s) - 1.0) * math.exp(frequency * (time_s - lasts_s)) / frequency**2 * push
+
+
 @compiled
 def escape(hull: Floats, xi: Floats, frequency: float, time_s: float) -> tuple[float, float]:
     """m that xi lies outside the hull, now and in `time_s`; negative inside."""

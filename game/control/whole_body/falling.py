@@ -4,8 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
-from game.characters.joint_limits import HIGH, LOW, in_range_of
+from game.characters.joint_limits import HIGH, LOW
 from game.compiled import compiled
+from game.control.whole_body.joint_stops import add_stops
 from game.control.whole_body.key_poses import pose_of
 from game.control.whole_body.support_polygon import distance_inside
 
@@ -13,6 +14,9 @@ Floats = NDArray[np.float64]
 
 LOST_M = 0.36
 """A COM so far beyond the feet that stand is not caught by a step any more."""
+
+THROWN_M = 0.4
+"""Nor a capture point so far: the body would only struggle, and whirl its arms, before it falls."""
 
 TOPPLED_M, TOPPLED_UP = 0.06, 0.45
 """Nor is one much nearer where the trunk has toppled to 63 degrees too; a bow as deep has its COM over the feet."""
@@ -29,15 +33,6 @@ DAMPING_RATE = 22.0
 LEAST_DAMPING = 1.0
 """N m s/rad: a hand is so light that the floor would throw it about its wrist."""
 
-STOP_RAD, LIGAMENTS = 0.12, 2.0
-"""So far past the end of its range a joint meets as much resistance as so many times its muscles: ligaments, not muscles, stop it."""
-
-LEAST_STOP_NM = 15.0
-"""No stop is weaker: a wrist has to bear what falls on the hand."""
-
-STOP_S = 0.02
-"""The stop damps as a spring that settles in this time."""
-
 SOON_S = 0.03
 """The stop is felt by a joint that will be past the end so much later."""
 
@@ -49,9 +44,12 @@ SIDEWAYS = pose_of(neck=(0, 0.2, 0), shoulder=(1.0, -0.4, 0), elbow=(0, -0.6, 0)
 
 
 @compiled
-def is_lost(hull: Floats, com: Floats, trunk_up: float) -> bool:
-    """Whether balance is given up: hull (n, 2) of the feet that stand, com (3,), trunk_up the cosine of the trunk's tilt."""
+def is_lost(hull: Floats, com: Floats, xi: Floats, trunk_up: float) -> bool:
+    """Whether balance is given up: hull (n, 2) of the feet that stand or are on a saving step, com (3,), capture point xi (2,), trunk_up
+    the cosine of the trunk's tilt."""
     beyond = -distance_inside(hull, com[:2])
+    if -distance_inside(hull, xi) > THROWN_M:
+        return True
     return beyond > LOST_M or (beyond > TOPPLED_M and trunk_up < TOPPLED_UP)
 
 
@@ -78,19 +76,12 @@ def fall(
     pose = protective_pose(down)
     braced = max(1.0 - since_s / LET_GO_S, 0.0)
     rate = LIMP_RATE + braced * (BRACED_RATE - LIMP_RATE)
-    wanted = np.empty(3)
+    wanted = np.empty(len(kp))
     for j in range(len(joint_rotation)):
-        angle = in_range_of(joint_rotation[j], LOW[j], HIGH[j])
         for axis in range(3):
             row = 3 * j + axis
-            wanted[axis] = min(max(pose[j, axis], LOW[j, axis]), HIGH[j, axis])
+            wanted[row] = min(max(pose[j, axis], LOW[j, axis]), HIGH[j, axis])
             kp[row], kd[row] = rate * rate * inertia[row], max(DAMPING_RATE * inertia[row], LEAST_DAMPING)
-            soon = angle[axis] + SOON_S * velocity[row]
-            over, under = soon > HIGH[j, axis], soon < LOW[j, axis]
-            if over or under:
-                # back from where it is: the strength of the muscles on the other side sets the measure
-                stop = max(LIGAMENTS * (-low[row] if over else high[row]), LEAST_STOP_NM) / STOP_RAD
-                kp[row] += stop
-                kd[row] += STOP_S * stop
-                wanted[axis] = HIGH[j, axis] if over else LOW[j, axis]
-        rotation[j] = one.exp(wanted)
+    add_stops(joint_rotation, velocity, low, high, 0.0, SOON_S, wanted, kp, kd)
+    for j in range(len(joint_rotation)):
+        rotation[j] = one.exp(wanted[3 * j : 3 * j + 3])

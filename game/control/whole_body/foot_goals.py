@@ -15,8 +15,8 @@ from game.control.whole_body.wish import Wish
 
 Floats = NDArray[np.float64]
 
-CLEARANCE_M = 0.06
-"""How high a step of its own swings."""
+CLEARANCE_M, ROUND_CLEARANCE_M = 0.075, 0.116
+"""How high a step of its own swings, and one round the other leg."""
 
 BENT_M = 0.05
 """How much shorter than standing the legs are that wait for the floor."""
@@ -35,7 +35,7 @@ def foot_task(
         return
     orientation = body.orientation[FEET[side]]
     if foot.phase is Phase.STEP:
-        place, velocity, acceleration, yaw = foot.step_motion(CLEARANCE_M)
+        place, velocity, acceleration, yaw = foot.step_motion(ROUND_CLEARANCE_M if foot.round_m else CLEARANCE_M)
         swing(sole.centre, orientation, turn, twist, place, velocity, acceleration, one.about_z(yaw), _STILL, weight, goal)
         return
     follow(

@@ -1,14 +1,17 @@
 """Planning of contacts: when a foot may lift, when it has landed, and the steps that save the balance or mend the stance."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
-from game.control.whole_body.capture_point import escape_of_soles
+from game.control.whole_body.capture_point import escape_of_soles, pushed_away
 from game.control.whole_body.contact_states import FootState, Phase
 from game.control.whole_body.mending import SLOW_M, Mending
-from game.control.whole_body.saving_step import STEP_S, landing_goal, saving_foot
+from game.control.whole_body.saving_step import SavingStep, cheapest_step, landing_goal, saving_step, way_round
 from game.control.whole_body.sole import Sole, polygon
 from game.control.whole_body.support_polygon import distance_inside
+from game.control.whole_body.sway import Sway
 from game.control.whole_body.wish import Wish
 
 Floats = NDArray[np.float64]
@@ -25,9 +28,16 @@ RETURN_S, MEND_MARGIN_M = 0.3, 0.02
 LIFT_AGAIN_M = 0.012
 """A foot that had to come down at once is lifted again once the capture point lies this far inside the other sole."""
 
-LOOK_AHEAD_S = 0.1
+LAND_NEAR_M = 0.1
+"""A foot on a step of its own that grazes the floor farther from where it is to come down has not landed."""
+
+STUCK_S, STUCK_M = 0.1, 0.0
+"""A foot that still stands so long after its step began, while the other one hangs, leaves the step to that one."""
+
+LOOK_AHEAD_S, PUSH_AHEAD_S = 0.1, 0.154
 OUT_NOW_M, OUT_SOON_M, OUT_LONG_S = 0.015, 0.05, 0.12
-"""A step saves the balance once the capture point is that far outside, will be by then, or has been outside so long."""
+"""A step saves the balance once the capture point is that far outside, will be by then, or has been outside so long. A push that is felt
+is reckoned to go on for PUSH_AHEAD_S."""
 
 
 class Footing:
@@ -38,6 +48,9 @@ class Footing:
         self.flying = False
         self.landed_s = 10.0
         """Since the last flight."""
+        self.saved_s = 10.0
+        self.rounds = False
+        """Since the last step that was to save the balance, and whether that went round the other leg."""
         self.outside_s = 0.0
         self.missed = [False, False]
         """Feet that the player has up and that had to come down again."""
@@ -45,28 +58,32 @@ class Footing:
         self.intended: int | None = None
         """The foot that is about to carry all, None for both."""
 
-    def update(
-        self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, sway_m: float, thrown: bool, taking_off: bool, dt: float
-    ) -> None:  # fmt: skip
-        """sway_m: from the COM to the capture point xi (2,); thrown: a push was felt; taking_off: a leap begins."""
+    def update(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish, taking_off: bool, dt: float) -> None:
+        """taking_off: a leap begins."""
         for side, foot in enumerate(self.feet):
             foot.time_s += dt
             self.missed[side] = self.missed[side] and wish.up[side]
         self._land(soles, wish)
-        self.mending.watch(thrown, dt)
+        self.saved_s = 0.0 if any(foot.saving for foot in self.feet) else self.saved_s + dt
+        self.mending.watch(sway.thrown, dt)
         self.intended = None
         standing = [side for side in range(2) if self.feet[side].stands]
         if self._fly(soles, wish, taking_off, dt):
             return
         if len(standing) == 2:
-            self._lift(soles, xi, wish, sway_m, dt)
+            self._lift(soles, sway, wish, dt)
         elif len(standing) == 1 and not self._comes_down(1 - standing[0], soles, wish):
             self.intended = standing[0]
-        self._recover(soles, xi, frequency, wish, dt)
+        self._recover(soles, sway, wish, dt)
 
     def hull(self, soles: tuple[Sole, Sole], margin_m: float, ends_m: float = 0.0) -> Floats:
         """The polygon of the feet that stand, of both where none does."""
         return _polygon_of(soles, self.feet[0].stands, self.feet[1].stands, margin_m, ends_m)
+
+    def reach_hull(self, soles: tuple[Sole, Sole]) -> Floats:
+        """The polygon of the feet that stand and of one that is about to save the balance, where it is now."""
+        left, right = (foot.stands or foot.saving is not None for foot in self.feet)
+        return _polygon_of(soles, left, right, 0.0, 0.0)
 
     def goal_hull(self, soles: tuple[Sole, Sole], margin_m: float, ends_m: float = 0.0) -> Floats:
         """Where the capture point should be: over the foot that is to carry all, where there is one; else between those that stand and
@@ -85,7 +102,9 @@ class Footing:
                 else:
                     foot.enter(Phase.SWING)
             landed = foot.phase is Phase.SWING and foot.time_s > 0.08 and not wish.up[side]
-            landed = landed or (foot.phase is Phase.STEP and foot.time_s > 0.6 * foot.duration_s)
+            if foot.phase is Phase.STEP and foot.time_s > 0.6 * foot.duration_s:
+                near = math.dist(soles[side].centre[:2], foot.goal[:2]) < LAND_NEAR_M
+                landed = near or foot.time_s > foot.duration_s
             if landed and touches:
                 foot.enter(Phase.STANCE)
 
@@ -108,17 +127,19 @@ class Footing:
                         foot.enter(Phase.STANCE if soles[side].centre[2] < 0.06 else Phase.SWING)
         return self.flying
 
-    def _lift(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, sway_m: float, dt: float) -> None:
-        side = self._to_lift(soles, xi, wish, sway_m, dt)
-        if side is None or (not wish.up[side] and sway_m > SLOW_M):
+    def _lift(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish, dt: float) -> None:
+        side = self._to_lift(soles, sway, wish, dt)
+        if side is None or (not wish.up[side] and sway.away_m > SLOW_M):
             return
         self.intended = other = 1 - side
         # over the other sole it can be steered both ways; whoever waits until it rests there lifts no foot of a player who marches
         margin = (LIFT_AGAIN_M if self.missed[side] else 0.0) if wish.up[side] else MEND_MARGIN_M
-        if not soles[other].touches or distance_inside(soles[other].corners(0.0), xi) < margin:
+        if not soles[other].touches or distance_inside(soles[other].corners(0.0), sway.xi) < margin:
             return
         if wish.up[side]:
             self.feet[side].enter(Phase.SWING)
+        elif way_round(side, 0, soles, wish):
+            self._step(saving_step(side, 0, soles, wish), soles, sway, wish)
         else:
             self._put_right(side, soles, wish)
 
@@ -131,49 +152,71 @@ class Footing:
         self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, wish.yaw[side], RETURN_S)
         self.mending.drop()
 
-    def _to_lift(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, sway_m: float, dt: float) -> int | None:
+    def _to_lift(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish, dt: float) -> int | None:
         """The foot that the player has up, or the one whose stance is to be mended."""
         if wish.up[0] or wish.up[1]:
             self.mending.drop()
             return None if wish.up[0] and wish.up[1] else int(wish.up[1])
-        return self.mending.choose(soles, xi, wish, sway_m, dt)
+        return self.mending.choose(soles, sway.xi, wish, sway.away_m, dt)
 
-    def _recover(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish, dt: float) -> None:
+    def _recover(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish, dt: float) -> None:
         standing = [side for side in range(2) if self.feet[side].stands]
         if not standing:
             return
-        left, right = (foot.stands or self._comes_down(side, soles, wish) for side, foot in enumerate(self.feet))
-        a, b = soles
-        outside, ahead = escape_of_soles(
-            a.centre, a.yaw, b.centre, b.yaw, left, right, a.half_length, a.half_width, xi, frequency, LOOK_AHEAD_S
-        )
+        if len(standing) == 1 and self._is_stuck(1 - standing[0], soles):
+            self.feet[1 - standing[0]].enter(Phase.STANCE)
+            self._step(cheapest_step(soles, sway, wish, standing), soles, sway, wish)
+            return
+        outside, ahead = self._escape(soles, sway, wish)
         self.outside_s = self.outside_s + dt if outside > 0.0 else 0.0
         if not (outside > OUT_NOW_M or ahead > OUT_SOON_M or self.outside_s > OUT_LONG_S):
-            self._retarget(soles, xi, frequency, wish)
+            self._retarget(soles, sway, wish)
             return
         if len(standing) == 1:
             side = 1 - standing[0]
-            foot = self.feet[side]
-            if foot.phase is Phase.SWING:
+            if self.feet[side].phase is Phase.SWING:
                 self.missed[side] = wish.up[side]
-                self._step(side, soles, xi, frequency, wish)
+                self._step(saving_step(side, 0, soles, wish), soles, sway, wish)
             else:
-                self._retarget(soles, xi, frequency, wish)
+                self._retarget(soles, sway, wish)
             return
-        self._step(saving_foot(soles, xi, frequency, wish), soles, xi, frequency, wish)
+        self._step(cheapest_step(soles, sway, wish), soles, sway, wish)
+
+    def _is_stuck(self, side: int, soles: tuple[Sole, Sole]) -> bool:
+        """It is to save the balance and carries all instead: the push has lifted the other one."""
+        foot = self.feet[side]
+        stands = soles[side].touches and soles[side].centre[2] < soles[1 - side].centre[2] + STUCK_M
+        return foot.saving is not None and STUCK_S < foot.time_s < 0.6 * foot.duration_s and stands
+
+    def _escape(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> tuple[float, float]:
+        """m that the capture point lies outside now, and will in LOOK_AHEAD_S, with what a push does until then."""
+        left, right = (foot.stands or self._comes_down(side, soles, wish) for side, foot in enumerate(self.feet))
+        a, b = soles
+
+        def escape(xi: Floats) -> tuple[float, float]:
+            return escape_of_soles(
+                a.centre, a.yaw, b.centre, b.yaw, left, right, a.half_length, a.half_width, xi, sway.frequency, LOOK_AHEAD_S
+            )
+
+        outside, ahead = escape(sway.xi)
+        if sway.push.any():
+            ahead = max(ahead, escape(sway.xi + pushed_away(sway.push, sway.frequency, PUSH_AHEAD_S, PUSH_AHEAD_S))[1])
+        return outside, ahead
 
     def _comes_down(self, side: int, soles: tuple[Sole, Sole], wish: Wish) -> bool:
         return self.feet[side].phase is Phase.SWING and not wish.up[side] and bool(soles[side].centre[2] < NEAR_FLOOR_M)
 
-    def _retarget(self, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> None:
-        """A recovery step under way goes where the capture point will be by then."""
-        for side, foot in enumerate(self.feet):
-            if foot.phase is Phase.STEP and foot.duration_s == STEP_S and foot.time_s < 0.6 * STEP_S:
-                foot.goal = landing_goal(side, soles, xi, frequency, wish, STEP_S - foot.time_s)
+    def _retarget(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> None:
+        """A step under way that saves the balance goes where the capture point will be by then."""
+        for foot in self.feet:
+            if foot.saving is not None and foot.time_s < 0.6 * foot.duration_s:
+                foot.goal = landing_goal(foot.saving, soles, sway, wish, foot.duration_s - foot.time_s)
 
-    def _step(self, side: int, soles: tuple[Sole, Sole], xi: Floats, frequency: float, wish: Wish) -> None:
-        goal = landing_goal(side, soles, xi, frequency, wish, STEP_S)
-        self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, soles[1 - side].yaw, STEP_S)
+    def _step(self, step: SavingStep, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> None:
+        side, foot = step.side, self.feet[step.side]
+        goal = landing_goal(step, soles, sway, wish, step.span_s)
+        foot.step_to(soles[side].centre, goal, soles[side].yaw, wish.yaw[side], step.span_s, step.round_m)
+        foot.saving, self.rounds = step, step.round_m != 0.0
         self.outside_s = 0.0
         self.mending.drop()
         self.mending.watch(True, 0.0)

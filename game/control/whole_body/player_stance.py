@@ -56,10 +56,11 @@ class PlayerStance:
         self.up = [not planted for planted in target.contacts.planted]
         self.flight = target.contacts.flight
 
-    def drift(self, target: KinematicTarget, ankles: Floats, pivot: int | None, dt: float) -> None:
-        """Both stand on both feet: floor and place follow slowly, or fast the place of the one foot `pivot` that is to stay."""
+    def drift(self, target: KinematicTarget, ankles: Floats, pivot: int | None, moved: bool, dt: float) -> None:
+        """Both stand on both feet: floor and place follow slowly; fast where the body `moved` by steps of its own, and the place of the one
+        foot `pivot` that is to stay."""
         left = 0.5 if pivot is None else 1.0 - pivot
-        place_s = PLACE_TIME_S if pivot is None else PIVOT_TIME_S
+        place_s = PLACE_TIME_S if pivot is None and not moved else PIVOT_TIME_S
         floor, place = min(dt / FLOOR_TIME_S, 1.0), min(dt / place_s, 1.0)
         self.overlay = _drifted(self.overlay, target.pose.joint, ankles, left, self._rest, floor, place)
 

@@ -10,6 +10,7 @@ from game.characters.skeleton import FEET, JOINT_COUNT, PARTS
 from game.characters.strength import joint_strength
 from game.control.ankle_strategy import AnkleStrategy
 from game.control.joint_command import BodyState, JointCommand
+from game.control.whole_body.bracing import CALM, bracing
 from game.control.whole_body.capture_point import capture_point, natural_frequency, players_capture_point, steer
 from game.control.whole_body.contact_wrenches import cone_rows
 from game.control.whole_body.falling import is_lost
@@ -17,15 +18,18 @@ from game.control.whole_body.felt_push import FeltPush
 from game.control.whole_body.foot_goals import flight_task, foot_task
 from game.control.whole_body.footing import Footing
 from game.control.whole_body.hold_damping import hold
+from game.control.whole_body.joint_stops import stopped
 from game.control.whole_body.leap import ComHeight, leap_speed, taking_off
 from game.control.whole_body.leg_kinematics import sole_motions
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.on_the_floor import OnTheFloor, Stage
 from game.control.whole_body.pelvis_goal import held_by_feet
 from game.control.whole_body.player_stance import PlayerStance
-from game.control.whole_body.posed_tick import Body, Numbers, Wanted, pose_and_answer, room_for_posed
+from game.control.whole_body.posed_tick import Body, Wanted, pose_and_answer, room_for_posed
 from game.control.whole_body.sole import PRESSURE_MARGIN_M, Sole, soles_of
 from game.control.whole_body.standing_up import StandingUp
+from game.control.whole_body.sway import Sway
+from game.control.whole_body.task_weights import COM_WEIGHT, JOINT_WEIGHT, PLANNED, TaskWeights
 from game.control.whole_body.torque_limits import Problem, within_limits
 from game.control.whole_body.wish import wish_of
 from game.target.kinematic_target import KinematicTarget
@@ -42,38 +46,20 @@ GOAL_MARGIN_M, GOAL_ENDS_M = 0.045, 0.035
 LEAST_LOAD = 0.5
 """Share of the weight that the floor is reckoned with at least when it is to push sideways."""
 
-SPIN_RATE, BACK_RATE, LARGEST_BACK = 4.0, 10.0, 2.0
-"""1/s of angular momentum; 1/s and rad/s of the way back to the target's pose that it may be used for."""
-
 LANDED_S = 0.4
 """So long after a landing all turning is to end."""
 
-_COM_WEIGHT = np.array([15000.0, 15000.0, 500.0])
-PLANNED = 0.9
-"""Share of a joint's strength that is planned with; the rest holds it to its plan between two ticks."""
-
-HELD_BY_RAD_S = 8.0
-"""A limb that loses what it pushed against between two ticks is held at least as if it took its whole strength this far off its speed."""
+SETTLE_S = 1.0
+"""For so long after a step that saved the balance the player's place follows to where it has led."""
 
 _NO_ROWS = np.zeros((0, 0))
-_NOTHING = np.zeros(3 * JOINT_COUNT)
 _PRICE = 1e-6 * np.tile([1.0, 1.0, 1.0, 21.0, 6.0, 21.0], 2)
 """What a wrench costs, so that the least one is taken."""
-
-
-def _joint_weight(standing: tuple[int, ...]) -> Floats:
-    """(42,) arms, spine and neck, legs that stand, legs that swing."""
-    out = np.full(JOINT_COUNT, 0.6)
-    out[:2] = 2.0
-    out[8:11] = 0.25 if 0 in standing else 0.3
-    out[11:14] = 0.25 if 1 in standing else 0.3
-    return np.repeat(out, 3)
 
 
 _TRUNK = PARTS.index("trunk")
 _FEET = slice(FEET[0], FEET[1] + 1, FEET[1] - FEET[0])
 _STANDING: dict[tuple[bool, bool], tuple[int, ...]] = {(False, False): (), (True, False): (0,), (False, True): (1,), (True, True): (0, 1)}
-_JOINT_WEIGHT: dict[tuple[int, ...], Floats] = {standing: _joint_weight(standing) for standing in ((), (0,), (1,), (0, 1))}
 
 
 class WholeBody:
@@ -96,7 +82,7 @@ class WholeBody:
         self._ready = True
         self.footing = Footing()
         self.felt = FeltPush()
-        self._full_strength, self._numbers_of = np.array(joint_strength(dynamics.plan)), (-1, 0.0)
+        self._weights = TaskWeights(self._settings, np.array(joint_strength(dynamics.plan)))
         self._total_mass = float(dynamics.subtree_mass[0])
         self._hanging.reset(dynamics)
         self._window = MotionWindow()
@@ -110,6 +96,7 @@ class WholeBody:
         self._height = ComHeight()
         self.wrench = np.zeros(0)
         self.standing: tuple[int, ...] = ()
+        self._bracing = CALM
         self.limits: tuple[Floats, Floats] | None = None
 
     def command(self, target: KinematicTarget, dynamics: BodyState, dt: float) -> JointCommand:
@@ -120,7 +107,7 @@ class WholeBody:
             return self._hanging.command(target, dynamics, dt)
         soles = soles_of(dynamics)
         if self._has_fallen(target, dynamics, soles, dt):
-            return self.floor.command(dynamics, self._full_strength, self._settings.number("whole_body.strength"), dt)
+            return self.floor.command(dynamics, self._weights.full_strength, self._settings.number("whole_body.strength"), dt)
         delay = self._settings.number("whole_body.delay_s")
         motion = self._window.moment(self._window.newest_s + self._since_s - delay)
         if self._rise is not None:
@@ -149,8 +136,10 @@ class WholeBody:
             floor.rise(float(body.com[2]), float(target.com[2]) - self._player.floor_z, dt)
         elif body.com[2] < min(0.5, 0.8 * target.com[2]):
             floor.fall()
-        if not self.footing.flying and is_lost(self.footing.hull(soles, 0.0), body.com, float(body.turn[_TRUNK, 2, 2])):
-            floor.fall()
+        if not self.footing.flying:
+            xi = capture_point(body.com, body.com_velocity, natural_frequency(body.gravity, float(body.com[2])))
+            if is_lost(self.footing.reach_hull(soles), body.com, xi, float(body.turn[_TRUNK, 2, 2])):
+                floor.fall()
         return floor.lies
 
     def _take_stance(self, target: KinematicTarget, body: BodyState) -> None:
@@ -171,7 +160,8 @@ class WholeBody:
             self._player.watch(target)
         if not any(self._player.up) and all(foot.stands for foot in self.footing.feet):
             mending = self.footing.mending.side
-            self._player.drift(target, ankles, None if mending is None else 1 - mending, dt)
+            pivot = None if mending is None else 1 - mending
+            self._player.drift(target, ankles, pivot, self.footing.saved_s < SETTLE_S, dt)
 
     def _plan(self, motion: Motion, body: BodyState, soles: tuple[Sole, Sole], dt: float) -> float:
         """What the feet do and where the pressure is to be; gives omega."""
@@ -179,18 +169,29 @@ class WholeBody:
         frequency = natural_frequency(body.gravity, float(body.com[2]) - floor)
         xi = capture_point(body.com, body.com_velocity, frequency)
         self._wish = wish_of(self._player, motion, body)
-        sway_m = math.hypot(xi[0] - body.com[0], xi[1] - body.com[1])
         self._leap = leap_speed(self._window, self._player, body)
         leaving = taking_off(self._leap, self._player, body, sum(self.wrench[2::6].tolist()))
         goal = self._capture_goal(frequency, dt)
         self.felt.feel(body.com_velocity, self.wrench, self._total_mass, dt)
-        self.footing.update(soles, xi, frequency, self._wish, sway_m, self.felt.thrown, leaving, dt)
+        away_m = math.hypot(xi[0] - body.com[0], xi[1] - body.com[1])
+        sway = Sway(xi, frequency, away_m, self.felt.thrown, self.felt.acceleration, self._load())
+        self.footing.update(soles, sway, self._wish, leaving, dt)
+        self._bracing = bracing(self.footing, self.felt)
+        rate = self._settings.number("whole_body.capture_rate") * self._bracing.rate
         goal_hull = self.footing.goal_hull(soles, GOAL_MARGIN_M, GOAL_ENDS_M)
         hull = self.footing.hull(soles, PRESSURE_MARGIN_M)
-        x, y, *pressure = steer(*goal, goal_hull, xi, frequency, self._settings.number("whole_body.capture_rate"), hull)
+        x, y, *pressure = steer(*goal, goal_hull, xi, frequency, rate, hull)
         self.com_target[0], self.com_target[1] = x, y
         self.xi, self.pressure, self.cos = xi, np.array(pressure), np.array([*pressure, floor])
         return frequency
+
+    def _load(self) -> tuple[float, float]:
+        """Shares of the weight that was planned for the left and the right foot; nothing of none."""
+        lift = [0.0, 0.0]
+        for place, side in enumerate(self.standing):
+            lift[side] = float(self.wrench[6 * place + 2])
+        total = max(lift[0] + lift[1], 1e-9)
+        return lift[0] / total, lift[1] / total
 
     def _capture_goal(self, frequency: float, dt: float) -> tuple[float, float]:
         """x, y of the player's own capture point in the character's world, low-passed."""
@@ -220,14 +221,15 @@ class WholeBody:
             com_goal[2] = lift
         # who leaves the floor or meets it must not turn: there is nothing to come back with in the air
         leaping = self.footing.landed_s < LANDED_S or self._leap > 0.0
-        numbers, cone, price = self._tunables(leaping, dt), self._cone(soles, standing), _PRICE[: 6 * len(standing)]
+        numbers, cone = self._weights.numbers(not leaping, self._bracing, dt), self._cone(soles, standing)
+        price, strength, joint_weight = _PRICE[: 6 * len(standing)], self._weights.strength, JOINT_WEIGHT[standing] * self._bracing.joints
         within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
             Wanted(
                 motion.turn, motion.spin, motion.spin_rate, self._upright(motion, soles),
-                (soles[0].centre, soles[1].centre), weight, goal, product, pushes, com_goal, _COM_WEIGHT,
+                (soles[0].centre, soles[1].centre), weight, goal, product, pushes, com_goal, COM_WEIGHT * self._bracing.com,
             ),
-            numbers, self._strength, _JOINT_WEIGHT[standing], price, cone, self._posed,
+            numbers, strength, joint_weight, price, cone, self._posed,
         )  # fmt: skip
         self.standing, self.limits, self.momentum = standing, (outcome.low, outcome.high), outcome.momentum
         self.torque, self.wrench = outcome.torque, outcome.wrench
@@ -240,29 +242,13 @@ class WholeBody:
             self.torque, acceleration, self.wrench = within_limits(problem, *limits, p.weight, p.inertia)
             hold(p.firmness, self.torque, *self.limits, velocity, acceleration, dt, outcome.damping, outcome.speed)
         self.com_target[2] = motion.place[3, 2] - self._player.floor_z
-        return JointCommand(rotation, outcome.speed, _NOTHING, outcome.damping, self.torque)
+        held, firmness = stopped(rotation, velocity[6:], strength, outcome.speed, outcome.damping)
+        return JointCommand(held, outcome.speed, firmness, outcome.damping, self.torque)
 
     def _upright(self, motion: Motion, soles: tuple[Sole, Sole]) -> Floats:
         """(4,) of the pelvis; takes from the motion's spin what the feet forbid."""
         yaws, feet = (soles[0].yaw, soles[1].yaw), self.footing.feet
         return held_by_feet(self._player.orientation(motion.root), motion.spin[JOINT_COUNT], yaws, (feet[0].stands, feet[1].stands))
-
-    def _tunables(self, leaping: bool, dt: float) -> Numbers:
-        """Read anew where one was turned or another tick is asked for, and the strength with them."""
-        number, key = self._settings.number, (self._settings.version, dt)
-        if self._numbers_of != key:
-            self._numbers_of = key
-            self._strength = number("whole_body.strength") * self._full_strength
-            standing, flying = (
-                Numbers(
-                    number("whole_body.pose_stiffness"), number("whole_body.pose_damping"), number("whole_body.pelvis_weight"),
-                    number("whole_body.spin_weight"), SPIN_RATE, back_rate, LARGEST_BACK, number("whole_body.hold"), PLANNED,
-                    HELD_BY_RAD_S, dt,
-                )
-                for back_rate in (BACK_RATE, 0.0)
-            )  # fmt: skip
-            self._numbers = standing, flying
-        return self._numbers[leaping]
 
     def _foot_tasks(self, soles: tuple[Sole, Sole], twist: Floats, motion: Motion, body: BodyState, weight: Floats, goal: Floats) -> None:
         """Fill weight and goal, (2, 6) each, of both soles, which move with `twist` (2, 6)."""
@@ -272,6 +258,8 @@ class WholeBody:
                 flight_task(side, soles[side], twist[side], self.xi, motion, player, wish, body, weight[side], goal[side])
             else:
                 foot_task(side, soles[side], foot, twist[side], motion, player, wish, body, weight[side], goal[side])
+            if foot.saving is not None:
+                weight[side] *= self._bracing.swing
 
     def _cone(self, soles: tuple[Sole, Sole], standing: tuple[int, ...]) -> Floats:
         if not standing:

@@ -6,6 +6,7 @@ from game.control.whole_body.capture_point import natural_frequency
 from game.control.whole_body.contact_states import Phase
 from game.control.whole_body.footing import Footing
 from game.control.whole_body.sole import Sole
+from game.control.whole_body.sway import Sway
 from game.control.whole_body.wish import Wish
 
 LEFT, RIGHT = 0, 1
@@ -28,6 +29,7 @@ class Scene:
         self.up, self.flight = (False, False), False
         self.wished, self.wished_yaw = STAND.copy(), (0.0, 0.0)
         self.sway_m, self.thrown, self.taking_off = 0.0, False, False
+        self.push, self.load = np.zeros(2), (0.5, 0.5)
 
     def soles(self) -> tuple[Sole, Sole]:
         return self.sole(LEFT), self.sole(RIGHT)
@@ -39,7 +41,8 @@ class Scene:
     def go(self, seconds=DT):
         for _ in range(max(1, round(seconds / DT))):
             wish = Wish(self.up, self.flight, self.wished.copy(), self.wished_yaw)
-            self.footing.update(self.soles(), self.xi, OMEGA, wish, self.sway_m, self.thrown, self.taking_off, DT)
+            sway = Sway(self.xi, OMEGA, self.sway_m, self.thrown, self.push, self.load)
+            self.footing.update(self.soles(), sway, wish, self.taking_off, DT)
         return self.phases()
 
     def phases(self):

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from game.control.whole_body.felt_push import MEMORY_S, THROWN_M_S, FeltPush
+from game.control.whole_body.felt_push import MEMORY_S, NOW_S, THROWN_M_S, UNFELT_M_S, FeltPush
 
 DT, MASS_KG = 1.0 / 240.0, 70.0
 
@@ -38,6 +38,32 @@ def test_a_push_is_forgotten():
     for _ in range(round(3.0 * MEMORY_S / DT)):
         felt.feel(still, np.zeros(0), MASS_KG, DT)
     assert felt.speed == pytest.approx(after * math.exp(-3.0), rel=0.05) and felt.speed < THROWN_M_S
+
+
+def test_what_pushes_now_is_told_soon_and_forgotten_soon():
+    felt = moved(FeltPush(), (40.0, 0.0), (300.0, 0.0), 3.0 * NOW_S)
+    least, most = 300.0 * (1.0 - math.exp(-3.0)) / MASS_KG - UNFELT_M_S / NOW_S, 300.0 / MASS_KG
+    assert least * 0.9 < felt.acceleration[0] < most and felt.acceleration[1] == pytest.approx(0.0, abs=1e-9)
+    there = np.array([340.0 * 3.0 * NOW_S / MASS_KG, 0.0, 0.0])
+    for _ in range(round(6.0 * NOW_S / DT)):
+        felt.feel(there, np.zeros(0), MASS_KG, DT)
+    assert not felt.acceleration.any()
+
+
+def test_a_motion_of_the_bodys_own_pushes_nobody():
+    """What the floor does differently from the plan for a moment stays below what counts."""
+    assert not moved(FeltPush(), (200.0, 0.0), (60.0, 0.0), 0.1).acceleration.any()
+
+
+def test_it_knows_how_long_ago_it_was_thrown():
+    felt = FeltPush()
+    assert felt.thrown_s > 1.0
+    moved(felt, (0.0, 0.0), (300.0, 0.0), 0.2)
+    assert felt.thrown_s == 0.0
+    still = np.array([300.0 * 0.2 / MASS_KG, 0.0, 0.0])
+    for _ in range(round(1.0 / DT)):
+        felt.feel(still, np.zeros(0), MASS_KG, DT)
+    assert 0.5 < felt.thrown_s < 1.0
 
 
 def test_a_light_touch_throws_nobody():

@@ -66,7 +66,7 @@ def test_a_player_who_slides_away_slides_back_under_the_character_in_about_a_sec
     start = gap(stance, slid)
     assert start == pytest.approx(0.1)
     for _ in range(120):
-        stance.drift(slid, ankles_of(0.0, 0.0), None, 1.0 / 120.0)
+        stance.drift(slid, ankles_of(0.0, 0.0), None, False, 1.0 / 120.0)
     assert gap(stance, slid) == pytest.approx(start * np.exp(-1.0), rel=0.02)
 
 
@@ -79,9 +79,20 @@ def test_the_foot_that_stays_while_the_other_is_put_right_is_soon_where_the_play
     ankles[pivot, :2] += 0.1, -0.05
     still = target_at(0.1, standing_at(2.0, -1.0))
     for _ in range(60):
-        stance.drift(still, ankles, pivot, 1.0 / 120.0)
+        stance.drift(still, ankles, pivot, False, 1.0 / 120.0)
     place = stance.place(still.pose.joint[FEET_LIST[pivot]])
     assert np.hypot(*(place - ankles[pivot])[:2]) < 0.005
+
+
+def test_where_steps_of_its_own_have_led_the_body_the_players_place_is_soon_too():
+    gaps = []
+    for moved in (False, True):
+        stance, _ = settled()
+        slid = target_at(0.1, standing_at(2.3, -1.0))
+        for _ in range(36):
+            stance.drift(slid, ankles_of(0.0, 0.0), None, moved, 1.0 / 120.0)
+        gaps.append(gap(stance, slid))
+    assert gaps[1] < 0.1 * gaps[0]
 
 
 def gap(stance, target):
@@ -93,7 +104,7 @@ def test_a_floor_that_was_measured_wrong_is_mended_slowly():
     stance, _ = settled()
     higher = target_at(0.1, standing_at(2.0, -1.0, 0.05))
     for _ in range(600):
-        stance.drift(higher, ankles_of(0.0, 0.0), None, 1.0 / 120.0)
+        stance.drift(higher, ankles_of(0.0, 0.0), None, False, 1.0 / 120.0)
     assert stance.place(higher.pose.joint[FEET[0]])[2] == pytest.approx(RESTING_M, abs=0.001)
 
 

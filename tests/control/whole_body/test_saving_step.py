@@ -3,8 +3,19 @@
 import numpy as np
 import pytest
 
-from game.control.whole_body.saving_step import CROSS_AHEAD_M, CROSS_SIDE_M, LEAST_SIDE_M, OVERSTEP, REACH_M, STEP_S
-from tests.control.whole_body.footing_scene import CENTRED, HALF_LENGTH, LEFT, OMEGA, RIGHT, STAND, STANDS, STEPS, Scene
+from game.control.whole_body.footing import STUCK_S
+from game.control.whole_body.saving_step import (
+    CROSS_AHEAD_M,
+    CROSS_S,
+    LEAST_SIDE_M,
+    MOST_CROSS_M,
+    OVERSTEP,
+    REACH_M,
+    ROUND_M,
+    STEP_S,
+    UNCROSS_S,
+)
+from tests.control.whole_body.footing_scene import CENTRED, DT, HALF_LENGTH, LEFT, OMEGA, RIGHT, STAND, STANDS, STEPS, Scene
 
 
 @pytest.fixture
@@ -20,11 +31,60 @@ def test_a_push_sideways_makes_the_foot_on_that_side_step_out(scene):
     assert foot.goal[1] > STAND[LEFT, 1] + 0.1 and foot.goal[2] == 0.0
 
 
-def test_a_hard_push_sideways_makes_the_other_foot_cross_over(scene):
-    scene.xi = np.array([0.0, 0.45])
+def test_pushed_hard_sideways_the_foot_that_carries_nothing_crosses_over_round_the_other_leg(scene):
+    scene.xi, scene.load = np.array([0.0, 0.22]), (1.0, 0.0)
+    scene.push = np.array([0.0, 5.0])
     assert scene.go() == (STANDS, STEPS)
-    goal = scene.footing.feet[RIGHT].goal
-    assert goal[1] > STAND[LEFT, 1] + 0.1 and abs(goal[0]) >= CROSS_AHEAD_M - 1e-9
+    foot = scene.footing.feet[RIGHT]
+    assert foot.goal[1] > STAND[LEFT, 1] + 0.1 and abs(foot.goal[0]) >= CROSS_AHEAD_M - 1e-9
+    assert foot.duration_s == CROSS_S and np.sign(foot.round_m) == np.sign(foot.goal[0]) and abs(foot.round_m) == ROUND_M
+
+
+def test_a_foot_that_is_crossed_comes_back_round_the_other_leg(scene):
+    """Calm again, the feet are put side by side: the one that was left behind goes round where the other one is not."""
+    scene.place[RIGHT] = -0.2, 0.45
+    scene.xi, scene.thrown = scene.place[RIGHT].copy(), True
+    for _ in range(60):
+        scene.go()
+        if scene.footing.feet[LEFT].phase is STEPS:
+            break
+    foot = scene.footing.feet[LEFT]
+    assert foot.phase is STEPS and foot.duration_s == UNCROSS_S
+    assert foot.round_m == pytest.approx(ROUND_M), "the right foot is behind: it goes before it"
+    assert foot.goal[1] >= scene.place[RIGHT, 1] + LEAST_SIDE_M - 1e-9
+
+
+def test_a_push_that_is_felt_calls_for_a_step_before_the_capture_point_is_out(scene):
+    scene.xi = np.array([0.1, 0.0])
+    assert scene.go() == (STANDS, STANDS)
+    scene.push = np.array([5.0, 0.0])
+    assert STEPS in scene.go()
+
+
+def test_a_foot_that_cannot_lift_leaves_the_step_to_the_one_that_hangs(scene):
+    scene.xi = np.array([0.0, 0.2])
+    assert scene.go() == (STEPS, STANDS)
+    scene.lift_off(RIGHT, 0.01)
+    assert scene.go(STUCK_S + 2.0 * DT) == (STANDS, STEPS)
+
+
+def test_a_foot_that_grazes_the_floor_far_from_its_goal_has_not_landed(scene):
+    scene.xi = np.array([0.0, 0.2])
+    scene.go()
+    scene.lift_off(LEFT)
+    scene.go(0.7 * STEP_S)
+    scene.put_down(LEFT)
+    assert scene.go() == (STEPS, STANDS)
+    scene.place[LEFT] = scene.footing.feet[LEFT].goal[:2]
+    assert scene.go() == (STANDS, STANDS)
+
+
+def test_who_is_on_a_step_that_saves_the_balance_has_that_foot_too_to_fall_back_on(scene):
+    scene.xi = np.array([0.0, 0.2])
+    scene.go()
+    scene.lift_off(LEFT)
+    scene.place[LEFT] = 0.0, 0.5
+    assert scene.footing.reach_hull(scene.soles())[:, 1].max() > 0.5 > scene.footing.hull(scene.soles(), 0.0)[:, 1].max()
 
 
 def test_a_push_forward_is_caught_by_the_foot_that_trails(scene):
@@ -48,7 +108,7 @@ def test_a_step_is_placed_where_the_capture_point_will_be(scene):
     scene.go()
     side = next(side for side in range(2) if scene.footing.feet[side].phase is STEPS)
     pivot = np.array([HALF_LENGTH - 0.01, 0.0])
-    landing = pivot[0] + OVERSTEP * (scene.xi[0] - pivot[0]) * np.exp(OMEGA * STEP_S)
+    landing = pivot[0] + OVERSTEP[0] * (scene.xi[0] - pivot[0]) * np.exp(OMEGA * STEP_S)
     assert abs(scene.footing.feet[side].goal[0] - landing) < HALF_LENGTH
 
 
@@ -64,7 +124,7 @@ def test_a_step_keeps_clear_of_the_other_foot_and_does_not_overreach(scene):
             assert len(steps) == 1
             ahead, left = scene.footing.feet[steps[0]].goal[:2] - scene.place[1 - steps[0]]
             aside = left if steps[0] == LEFT else -left
-            assert aside >= LEAST_SIDE_M - 1e-9 or (abs(ahead) >= CROSS_AHEAD_M - 1e-9 and aside >= -CROSS_SIDE_M - 1e-9)
+            assert aside >= LEAST_SIDE_M - 1e-9 or (abs(ahead) >= CROSS_AHEAD_M - 1e-9 and aside >= -MOST_CROSS_M - 1e-9)
             assert np.hypot(ahead, left) <= REACH_M + 1e-9
             crossed += aside < LEAST_SIDE_M - 1e-9
     assert crossed > 0, "where the loaded foot is on the side of the fall, the other one crosses over"
