@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 LOST_M = 0.36
 """A COM so far beyond the feet that stand is not caught by a step any more."""
 
-THROWN_M = 0.4
+THROWN_M = 0.35
 """Nor a capture point so far: the body would only struggle, and whirl its arms, before it falls."""
 
 TOPPLED_M, TOPPLED_UP = 0.06, 0.45

@@ -42,8 +42,11 @@ LOAD_PRICE_M, SHORT_PRICE = 0.08, 4.9
 point is away from the foot stood on."""
 
 CROSS_PRICE_M, SLOW_CROSS_PRICE_M, CROSS_AHEAD_PRICE, FRONT_PRICE_M = 0.2, 0.5, 4.0, 0.1
-"""Of crossing over, where the other leg is in the way, and of doing so when nothing pushes any more; of a metre ahead that it goes then; of
+"""Of crossing over, where the other leg is in the way, and of doing so when nothing pushes hard; of a metre ahead that it goes then; of
 crossing before the other leg."""
+
+HARD_M_S2 = 1.4
+"""A felt push is hard from here on: it unloads the foot that would have to be stood on in a step to the side."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +99,7 @@ def _price(step: SavingStep, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -
     if step.across:
         yaw = wish.yaw[1 - step.side]
         ahead_m = abs((landing[0] - pivot[0]) * math.cos(yaw) + (landing[1] - pivot[1]) * math.sin(yaw))
-        price += CROSS_PRICE_M if sway.push.any() else SLOW_CROSS_PRICE_M
+        price += CROSS_PRICE_M if math.hypot(*sway.push) > HARD_M_S2 else SLOW_CROSS_PRICE_M
         price += CROSS_AHEAD_PRICE * ahead_m + FRONT_PRICE_M * (step.across > 0)
     return price
 
