@@ -31,7 +31,7 @@ LIFT_AGAIN_M = 0.012
 LAND_NEAR_M = 0.1
 """A foot on a step of its own that grazes the floor farther from where it is to come down has not landed."""
 
-STUCK_S, STUCK_M = 0.1, 0.0
+STUCK_S = 0.1
 """A foot that still stands so long after its step began, while the other one hangs, leaves the step to that one."""
 
 LOOK_AHEAD_S, PUSH_AHEAD_S = 0.1, 0.154
@@ -185,7 +185,7 @@ class Footing:
     def _is_stuck(self, side: int, soles: tuple[Sole, Sole]) -> bool:
         """It is to save the balance and carries all instead: the push has lifted the other one."""
         foot = self.feet[side]
-        stands = soles[side].touches and soles[side].centre[2] < soles[1 - side].centre[2] + STUCK_M
+        stands = soles[side].touches and soles[side].centre[2] < soles[1 - side].centre[2]
         return foot.saving is not None and STUCK_S < foot.time_s < 0.6 * foot.duration_s and stands
 
     def _escape(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> tuple[float, float]:
