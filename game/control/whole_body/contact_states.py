@@ -7,6 +7,7 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from game.control.whole_body.bow import STRAIGHT, Bow
 from game.control.whole_body.saving_step import SavingStep
 
 Floats = NDArray[np.float64]
@@ -34,8 +35,8 @@ class FootState:
     behind: Floats = field(default_factory=lambda: np.zeros(3))
     """Of a swing: how far the foot was from the player's when it began."""
     fresh: bool = True
-    round_m: float = 0.0
-    """Of a step: so far ahead of the straight way it swings, round the other leg."""
+    bow: Bow = STRAIGHT
+    """Of a step."""
     saving: SavingStep | None = None
     """The step that saves the balance, if the foot is on one."""
 
@@ -47,18 +48,16 @@ class FootState:
         self.phase, self.time_s, self.fresh, self.saving = phase, 0.0, True, None
 
     def step_to(
-        self, start: Floats, goal: Floats, start_yaw: float, goal_yaw: float, duration_s: float, round_m: float = 0.0
+        self, start: Floats, goal: Floats, start_yaw: float, goal_yaw: float, duration_s: float, bow: Bow = STRAIGHT
     ) -> None:  # fmt: skip
         self.enter(Phase.STEP)
-        self.round_m = round_m
+        self.bow = bow
         self.start, self.goal, self.duration_s = start.copy(), goal.copy(), duration_s
         self.start_yaw, self.goal_yaw = start_yaw, start_yaw + math.remainder(goal_yaw - start_yaw, math.tau)
 
-    def step_motion(self, clearance_m: float) -> tuple[Floats, Floats, Floats, float]:
-        """Place, velocity, acceleration (3,) and yaw of the sole on its way: minimum jerk over the floor, a parabola above it.
-
-        Round another leg it swings out ahead besides, as softly at both ends.
-        """
+    def step_motion(self, clearance_m: float) -> tuple[Floats, Floats, Floats, float, float]:
+        """Place, velocity, acceleration (3,), yaw and its rate of the sole on its way: minimum jerk and its bow over the floor, a parabola
+        above it."""
         span = self.duration_s
         s = min(self.time_s / span, 1.0)
         along = s**3 * (10.0 - 15.0 * s + 6.0 * s * s)
@@ -66,11 +65,10 @@ class FootState:
         surge = 60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / span**2
         way = self.goal - self.start
         place, velocity, acceleration = self.start + along * way, speed * way, surge * way
-        if self.round_m:
-            ahead = 16.0 * self.round_m * np.array([math.cos(self.goal_yaw), math.sin(self.goal_yaw), 0.0])
-            place += (s * (1.0 - s)) ** 2 * ahead
-            velocity += 2.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / span * ahead
-            acceleration += (2.0 - 12.0 * s + 12.0 * s * s) / span**2 * ahead
+        out, out_rate, out_surge = self.bow.motion(s)
+        place += out
+        velocity += out_rate / span
+        acceleration += out_surge / span**2
         place[2] += 4.0 * clearance_m * s * (1.0 - s)
         velocity[2] += 4.0 * clearance_m * (1.0 - 2.0 * s) / span
         acceleration[2] -= 8.0 * clearance_m / span**2
@@ -79,4 +77,5 @@ class FootState:
             place[2] -= 0.4 * (self.time_s - span)
             velocity[2] = -0.4
             acceleration[:] = 0.0
-        return place, velocity, acceleration, self.start_yaw + along * (self.goal_yaw - self.start_yaw)
+        turn = self.goal_yaw - self.start_yaw
+        return place, velocity, acceleration, self.start_yaw + along * turn, speed * turn

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from game import rotation_compiled as one
 from game.characters.joint_limits import HIGH, LOW
 from game.compiled import compiled
-from game.control.whole_body.joint_stops import add_stops
+from game.control.whole_body.joint_stops import LIGAMENTS, add_stops
 from game.control.whole_body.key_poses import pose_of
 from game.control.whole_body.support_polygon import distance_inside
 
@@ -76,12 +76,13 @@ def fall(
     pose = protective_pose(down)
     braced = max(1.0 - since_s / LET_GO_S, 0.0)
     rate = LIMP_RATE + braced * (BRACED_RATE - LIMP_RATE)
-    wanted = np.empty(len(kp))
+    off, wanted = np.empty(len(kp)), np.empty(3)
     for j in range(len(joint_rotation)):
         for axis in range(3):
-            row = 3 * j + axis
-            wanted[row] = min(max(pose[j, axis], LOW[j, axis]), HIGH[j, axis])
+            wanted[axis] = min(max(pose[j, axis], LOW[j, axis]), HIGH[j, axis])
+        off[3 * j], off[3 * j + 1], off[3 * j + 2] = one.turn_to(joint_rotation[j], one.exp(wanted))
+        for row in range(3 * j, 3 * j + 3):
             kp[row], kd[row] = rate * rate * inertia[row], max(DAMPING_RATE * inertia[row], LEAST_DAMPING)
-    add_stops(joint_rotation, velocity, low, high, 0.0, SOON_S, wanted, kp, kd)
+    add_stops(joint_rotation, velocity, low, high, LIGAMENTS, 0.0, SOON_S, off, kp, kd)
     for j in range(len(joint_rotation)):
-        rotation[j] = one.exp(wanted[3 * j : 3 * j + 3])
+        rotation[j] = one.multiply(joint_rotation[j], one.exp(off[3 * j : 3 * j + 3]))

@@ -21,8 +21,6 @@ CLEARANCE_M, ROUND_CLEARANCE_M = 0.075, 0.116
 BENT_M = 0.05
 """How much shorter than standing the legs are that wait for the floor."""
 
-_STILL = np.zeros(3)
-
 
 def foot_task(
     side: int, sole: Sole, foot: FootState, twist: Floats, motion: Motion, player: PlayerStance, wish: Wish, body: BodyState,
@@ -35,8 +33,10 @@ def foot_task(
         return
     orientation = body.orientation[FEET[side]]
     if foot.phase is Phase.STEP:
-        place, velocity, acceleration, yaw = foot.step_motion(ROUND_CLEARANCE_M if foot.round_m else CLEARANCE_M)
-        swing(sole.centre, orientation, turn, twist, place, velocity, acceleration, one.about_z(yaw), _STILL, weight, goal)
+        rounds = foot.saving is not None and foot.saving.round_m != 0.0
+        place, velocity, acceleration, yaw, rate = foot.step_motion(ROUND_CLEARANCE_M if rounds else CLEARANCE_M)
+        spin = np.array([0.0, 0.0, rate])
+        swing(sole.centre, orientation, turn, twist, place, velocity, acceleration, one.about_z(yaw), spin, weight, goal)
         return
     follow(
         side, sole.centre, orientation, turn, twist, player.up[side], wish.place[side], wish.yaw[side], body.plan.joint[FEET[0], 2],

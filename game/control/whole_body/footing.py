@@ -5,6 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.control.whole_body.bow import bow
 from game.control.whole_body.capture_point import escape_of_soles, pushed_away
 from game.control.whole_body.contact_states import FootState, Phase
 from game.control.whole_body.mending import SLOW_M, Mending
@@ -24,6 +25,9 @@ NEAR_FLOOR_M = 0.08
 
 RETURN_S, MEND_MARGIN_M = 0.3, 0.02
 """A foot that is put right takes so long, and is lifted once the capture point lies this far inside the other sole."""
+
+LEFT_BEHIND_S = 1.0
+"""A foot that loses the floor so soon after a step that saved the balance was left behind by it, and is put beside the other one."""
 
 LIFT_AGAIN_M = 0.012
 """A foot that had to come down at once is lifted again once the capture point lies this far inside the other sole."""
@@ -63,7 +67,7 @@ class Footing:
         for side, foot in enumerate(self.feet):
             foot.time_s += dt
             self.missed[side] = self.missed[side] and wish.up[side]
-        self._land(soles, wish)
+        self._land(soles, sway, wish)
         self.saved_s = 0.0 if any(foot.saving for foot in self.feet) else self.saved_s + dt
         self.mending.watch(sway.thrown, dt)
         self.intended = None
@@ -93,12 +97,12 @@ class Footing:
             return _polygon_of(soles, left, right, margin_m, ends_m)
         return soles[self.intended].corners(margin_m, ends_m)
 
-    def _land(self, soles: tuple[Sole, Sole], wish: Wish) -> None:
+    def _land(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> None:
         for side, foot in enumerate(self.feet):
             touches = soles[side].touches
             if foot.stands and not touches and soles[side].centre[2] > LOST_M:
-                if side == self.mending.side:
-                    self._put_right(side, soles, wish)
+                if side == self.mending.side or self._is_left_behind(side, soles, sway, wish):
+                    self._put_right(side, soles, wish, True)
                 else:
                     foot.enter(Phase.SWING)
             landed = foot.phase is Phase.SWING and foot.time_s > 0.08 and not wish.up[side]
@@ -107,6 +111,12 @@ class Footing:
                 landed = near or foot.time_s > foot.duration_s
             if landed and touches:
                 foot.enter(Phase.STANCE)
+
+    def _is_left_behind(self, side: int, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> bool:
+        """The other foot carries all, and nothing is in the way."""
+        if wish.up[side] or self.saved_s > LEFT_BEHIND_S or way_round(side, 0, soles, wish):
+            return False
+        return bool(distance_inside(soles[1 - side].corners(0.0), sway.xi) > MEND_MARGIN_M)
 
     def _fly(self, soles: tuple[Sole, Sole], wish: Wish, taking_off: bool, dt: float) -> bool:
         self.landed_s += dt
@@ -141,15 +151,18 @@ class Footing:
         elif way_round(side, 0, soles, wish):
             self._step(saving_step(side, 0, soles, wish), soles, sway, wish)
         else:
-            self._put_right(side, soles, wish)
+            self._put_right(side, soles, wish, self.mending.side is not None)
 
-    def _put_right(self, side: int, soles: tuple[Sole, Sole], wish: Wish) -> None:
-        """Step to where the player has the foot; after a push to as far from the foot that stays as the player's are apart."""
-        goal = soles[side].centre.copy()
+    def _put_right(self, side: int, soles: tuple[Sole, Sole], wish: Wish, beside: bool) -> None:
+        """Step to where the player has the foot; `beside` the foot that stays, as far from it as the player's are apart, after a push."""
+        sole, yaw = soles[side], wish.yaw[side]
+        goal = sole.centre.copy()
         goal[:2] = wish.place[side]
-        if self.mending.side is not None:
+        if beside:
             goal[:2] += soles[1 - side].centre[:2] - wish.place[1 - side]
-        self.feet[side].step_to(soles[side].centre, goal, soles[side].yaw, wish.yaw[side], RETURN_S)
+        # a foot that turns would catch on the other one with its heel
+        out_m = sole.half_length * abs(math.sin(sole.yaw - yaw))
+        self.feet[side].step_to(sole.centre, goal, sole.yaw, yaw, RETURN_S, bow(yaw, 0.0, out_m if side == 0 else -out_m))
         self.mending.drop()
 
     def _to_lift(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish, dt: float) -> int | None:
@@ -215,7 +228,8 @@ class Footing:
     def _step(self, step: SavingStep, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> None:
         side, foot = step.side, self.feet[step.side]
         goal = landing_goal(step, soles, sway, wish, step.span_s)
-        foot.step_to(soles[side].centre, goal, soles[side].yaw, wish.yaw[side], step.span_s, step.round_m)
+        yaw = wish.yaw[side]
+        foot.step_to(soles[side].centre, goal, soles[side].yaw, yaw, step.span_s, bow(yaw, step.round_m, 0.0, step.uncrosses))
         foot.saving, self.rounds = step, step.round_m != 0.0
         self.outside_s = 0.0
         self.mending.drop()

@@ -88,6 +88,8 @@ class OnTheFloor:
             return True
         if self._try.has_ended:
             self._go_on(body)
+        elif self._try.route == "prone" and route_of(body) == "side":
+            self._begin(body)
         return False
 
     def _go_on(self, body: BodyState) -> None:

@@ -28,8 +28,8 @@ LAND_ENDS_M, LAND_SIDES_M = 0.1, 0.048
 """It brings the sole so well under the capture point that it lies this far inside."""
 
 LEAST_SIDE_M, CROSS_AHEAD_M, LEAST_CROSS_M, MOST_CROSS_M = 0.13, 0.183, 0.13, 0.62
-"""It lands at least so far to its own side of the other foot; or at least so far before or behind it, and at least and at most so far
-across."""
+"""It lands at least so far to its own side of the other foot, farther where that is turned; or at least so far before or behind it, and at
+least and at most so far across."""
 
 ROUND_M = 0.3
 """So far out of the straight way it swings round the other leg."""
@@ -59,6 +59,11 @@ class SavingStep:
     round_m: float
     span_s: float
     overstep: tuple[float, float]
+
+    @property
+    def uncrosses(self) -> bool:
+        """It comes back round the leg that it was crossed with."""
+        return self.round_m != 0.0 and not self.across
 
 
 def saving_step(side: int, across: int, soles: tuple[Sole, Sole], wish: Wish) -> SavingStep:
@@ -123,7 +128,7 @@ def _nearest_landing(step: SavingStep, other: Sole, landing: Floats, wish: Wish)
     there = sole_corners(stance, wish.yaw[side], other.half_length - LAND_ENDS_M, other.half_width - LAND_SIDES_M)
     ahead, aside = _from_other(side, other, wish, stance[:2] + landing - nearest_inside(there, landing))
     within = min(1.0, REACH_M / max(math.hypot(ahead, aside), 1e-9))
-    ahead, aside = _clear_of_other(step.across, within * ahead, within * aside)
+    ahead, aside = _clear_of_other(step, other, wish, within * ahead, within * aside)
     most = math.sqrt(max(REACH_M**2 - aside**2, 0.0))
     ahead, left = min(max(ahead, -most), most), aside if side == 0 else -aside
     c, s = math.cos(wish.yaw[1 - side]), math.sin(wish.yaw[1 - side])
@@ -141,10 +146,13 @@ def _from_other(side: int, other: Sole, wish: Wish, place: Floats) -> tuple[floa
     return c * x + s * y, left if side == 0 else -left
 
 
-def _clear_of_other(across: int, ahead: float, aside: float) -> tuple[float, float]:
-    """m ahead of the other foot and to this foot's own side of it: beside it, or crossed before or behind it."""
+def _clear_of_other(step: SavingStep, other: Sole, wish: Wish, ahead: float, aside: float) -> tuple[float, float]:
+    """m ahead of the other foot and to this foot's own side of it: beside it, however it is turned, or crossed before or behind it."""
+    across = step.across
     if not across:
-        return ahead, max(aside, LEAST_SIDE_M)
+        turned = other.yaw - wish.yaw[1 - step.side]
+        wide = other.half_length * abs(math.sin(turned)) + other.half_width * abs(math.cos(turned))
+        return ahead, max(aside, LEAST_SIDE_M + wide - other.half_width)
     return across * max(across * ahead, CROSS_AHEAD_M), min(max(aside, -MOST_CROSS_M), -LEAST_CROSS_M)
 
 
