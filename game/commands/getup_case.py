@@ -2,11 +2,13 @@
 
 import math
 import traceback
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game import rotation
 from game.characters.joint_limits import HIGH, LOW, in_range_of
@@ -18,9 +20,11 @@ from game.control.whole_body.whole_body import WholeBody
 from game.physics.dynamics import BodyDynamics, lowest_corner
 from game.report.up_again import UpAgain
 from game.scenes.mirror import Mirror
+from game.scenes.simulation import Simulation
 from game.tunables import Settings, Value
 
 Row = dict[str, Any]
+Floats = NDArray[np.float64]
 
 LEAST_NS, MOST_NS = 140.0, 250.0
 FIRST_S, LAST_S = 0.5, 1.5
@@ -28,6 +32,9 @@ FIRST_S, LAST_S = 0.5, 1.5
 
 WATCHED_S = 20.0
 """So long it may take to get up, tries that failed included."""
+
+MOST_LIE_S = 5.0
+"""Who has not begun to get up so long after the shove has kept its feet."""
 
 STOOD_S = 1.0
 """A body that has stood for so long after the shove is not watched any longer."""
@@ -58,19 +65,8 @@ def shove_once(case: GetupCase, settings: Settings) -> Row:
     Of the fall until it gets up: fast_rad_s (n,) of the fastest joint in each frame, and at most past_deg beyond a joint's range and
     deep_m of a part in the floor.
     """
-    rng = np.random.default_rng((case.seed, case.number))
-    direction, impulse, at_s = rng.uniform(-math.pi, math.pi), rng.uniform(LEAST_NS, MOST_NS), rng.uniform(FIRST_S, LAST_S)
-    scene = Casting("performer:standing", case.character, settings, case.seed).scene("mirror")
-    assert isinstance(scene, Mirror)
-    try:
-        scene.enter()
-        simulation = scene.simulation
-        world, fighter = simulation.world, simulation.fighters[0]
-        while simulation.time_s < at_s:
-            simulation.advance()
-        body = world.characters[0]
-        towards = rotation.yaw(body.orientation[0]) + direction
-        shove_chest(world, towards, impulse)
+    with _shoved(case, settings) as (simulation, direction, impulse):
+        world, fighter, body = simulation.world, simulation.fighters[0], simulation.world.characters[0]
         rule, fall, began_s = UpAgain(), FallMeter(body), simulation.time_s
         since_s = 0.0
         while since_s < WATCHED_S and (since_s < PUSH_S or rule.up_s is None or since_s < rule.up_s + STOOD_S):
@@ -92,6 +88,36 @@ def shove_once(case: GetupCase, settings: Settings) -> Row:
             "guard_actions": world.guard_actions, "unexplained_force_n": float(world.meter.unexplained_force_n[0]),
             "state_sha256": world.state_sha256,
         }  # fmt: skip
+
+
+def lie_after_shove(case: GetupCase, settings: Settings) -> Floats | None:
+    """(63,) how the character lies when it begins to get up; None where it has kept its feet."""
+    with _shoved(case, settings) as (simulation, _, _):
+        strategy = simulation.fighters[0].strategy
+        assert isinstance(strategy, WholeBody)
+        until_s = simulation.time_s + MOST_LIE_S
+        while simulation.time_s < until_s:
+            simulation.advance()
+            if strategy.floor.stage is Stage.GETTING_UP:
+                return simulation.world.characters[0].configuration.copy()
+    return None
+
+
+@contextmanager
+def _shoved(case: GetupCase, settings: Settings) -> Iterator[tuple[Simulation, float, float]]:
+    """A standing character just as the shove begins; its direction, rad from where the character faces, and impulse, N s."""
+    rng = np.random.default_rng((case.seed, case.number))
+    direction, impulse, at_s = rng.uniform(-math.pi, math.pi), rng.uniform(LEAST_NS, MOST_NS), rng.uniform(FIRST_S, LAST_S)
+    scene = Casting("performer:standing", case.character, settings, case.seed).scene("mirror")
+    assert isinstance(scene, Mirror)
+    try:
+        scene.enter()
+        simulation = scene.simulation
+        while simulation.time_s < at_s:
+            simulation.advance()
+        world = simulation.world
+        shove_chest(world, rotation.yaw(world.characters[0].orientation[0]) + direction, impulse)
+        yield simulation, direction, impulse
     finally:
         scene.leave()
 

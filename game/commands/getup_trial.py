@@ -9,8 +9,7 @@ from game.characters.joint_limits import HIGH, LOW
 from game.characters.skeleton import FEET, JOINT_COUNT, JOINTS, PARTS
 from game.characters.strength import joint_strength
 from game.commands.casting import body_plan
-from game.commands.getup_case import LEAST_NS, MOST_NS
-from game.commands.shove import shove_chest
+from game.commands.getup_case import GetupCase, lie_after_shove
 from game.control.joint_command import JointCommand
 from game.control.whole_body.capture_point import capture_point, natural_frequency
 from game.control.whole_body.falling import fall
@@ -20,7 +19,7 @@ from game.control.whole_body.sole import polygon, soles_of
 from game.control.whole_body.support_polygon import distance_inside
 from game.physics.dynamics import BodyDynamics
 from game.physics.world import FRAME_HZ, World
-from game.rotation import about_z, exp
+from game.rotation import exp
 from game.tunables import Settings
 
 Floats = NDArray[np.float64]
@@ -39,6 +38,9 @@ INSIDE_M, SLOW_M_S, LOW_M = 0.03, 0.4, 0.4
 
 FAILED, UNREADY, READY = 9.0, 0.13, 0.1
 """Loss of a try that broke off, the least of one that did not come to stand ready, the largest of one that did."""
+
+SHOVED_SHARE = 0.8
+"""So many lie as the game's shoves leave them, which is other than how a body lies that was thrown there."""
 
 _DROP_M, _LIE_S = 0.7, 1.8
 _TRUNK = PARTS.index("trunk")
@@ -76,6 +78,7 @@ class Trial:
     """A world with one character that collides with itself, thrown down and driven again and again."""
 
     def __init__(self, character: str, settings: Settings) -> None:
+        self._character, self._settings = character, settings
         self.world = World([body_plan(character)], settings)
         self.body: BodyDynamics = self.world.characters[0]
         self._rest = joint_strength(self.body.plan)
@@ -83,17 +86,15 @@ class Trial:
         self._strength = scale * self._rest[0], scale * self._rest[1]
 
     def lie(self, rng: np.random.Generator) -> Floats:
-        """(63,) how it lies: every second time shoved over from standing, else fallen from a height, limbs and body turned anyhow."""
-        world, body = self.world, self.body
-        if rng.uniform() < 0.5:
-            joints = 0.2 * rng.normal(size=LOW.shape)
-            world.place(0, body.plan.joint[0], about_z(0.0), exp(np.clip(joints, LOW, HIGH)))
-            angle, impulse_ns = rng.uniform(-np.pi, np.pi), rng.uniform(LEAST_NS, MOST_NS)
-            shove_chest(world, angle, impulse_ns)
-        else:
-            turn = rng.normal(size=4)
-            joints = 0.6 * (LOW + (HIGH - LOW) * rng.uniform(0.1, 0.9, LOW.shape))
-            world.place(0, np.array([0.0, 0.0, _DROP_M]), turn / np.linalg.norm(turn), exp(joints))
+        """(63,) how it lies: four times in five shoved over in the game, else fallen from a height, limbs and body turned anyhow."""
+        while rng.uniform() < SHOVED_SHARE:
+            case = GetupCase(self._character, int(rng.integers(1 << 30)), int(rng.integers(1 << 30)))
+            lies = lie_after_shove(case, self._settings)
+            if lies is not None:
+                return lies
+        body, turn = self.body, rng.normal(size=4)
+        joints = 0.6 * (LOW + (HIGH - LOW) * rng.uniform(0.1, 0.9, LOW.shape))
+        self.world.place(0, np.array([0.0, 0.0, _DROP_M]), turn / np.linalg.norm(turn), exp(joints))
         self._forget()
         rotation, kp, kd = np.empty((JOINT_COUNT, 4)), np.empty(3 * JOINT_COUNT), np.empty(3 * JOINT_COUNT)
         for frame in range(round(_LIE_S * FRAME_HZ)):

@@ -13,6 +13,7 @@ from game.commands.getup_case import LEAST_NS, MOST_NS, GetupCase, Row, run_getu
 from game.commands.output_file import check_output_file, write_report
 from game.commands.parallel import run_all, usable_cores
 from game.commands.set_option import add_settings_options, measured_settings
+from game.commands.whole_number import JOBS, check_whole_numbers
 from game.progress import Progress
 from game.report.session_report import versions
 from game.warm_up import tell_of_compiling
@@ -32,9 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    for option, least, most in (("falls", 1, 10000), ("jobs", 1, 256), ("seed", 0, 2**31)):
-        if not least <= getattr(arguments, option) <= most:
-            raise BadInput(f"--{option} must be a whole number from {least} to {most}, not {getattr(arguments, option)}.")
+    check_whole_numbers(arguments, falls=(1, 10000), jobs=JOBS, seed=(0, 2**31))
     if arguments.report is not None:
         check_output_file("--report", arguments.report, (".json",))
     settings = measured_settings(arguments, {"physics.self_collision": True})

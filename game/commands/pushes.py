@@ -11,6 +11,7 @@ from game.commands.output_file import check_output_file, write_report
 from game.commands.parallel import run_all, usable_cores
 from game.commands.push_case import WHILE, PushCase, Row, run_push_case
 from game.commands.set_option import add_settings_options, measured_settings
+from game.commands.whole_number import JOBS, check_whole_numbers
 from game.progress import Progress
 from game.report.polar_plot import polar_plot
 from game.report.session_report import versions
@@ -34,9 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    for option, most in (("tries", 20), ("jobs", 256)):
-        if not 1 <= getattr(arguments, option) <= most:
-            raise BadInput(f"--{option} must be a whole number from 1 to {most}, not {getattr(arguments, option)}.")
+    check_whole_numbers(arguments, tries=(1, 20), jobs=JOBS)
     written: Path | None = arguments.report
     if written is not None:
         check_output_file("--report", written, (".json",))

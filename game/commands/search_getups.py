@@ -20,6 +20,7 @@ from game.commands.getup_trial import AXES, READY, Trial, numbers_of, poses_of
 from game.commands.output_file import check_output_file
 from game.commands.parallel import one_blas_thread, usable_cores
 from game.commands.set_option import add_settings_options, measured_settings
+from game.commands.whole_number import JOBS, check_whole_numbers
 from game.control.whole_body.getting_up import ON_SIDE
 from game.control.whole_body.key_poses import ROUTES, KeyPose, key_poses
 from game.progress import Progress
@@ -53,6 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
+    check_whole_numbers(arguments, starts=(1, 10000), jobs=JOBS, seed=(0, 2**31))
     check_output_file("--out", arguments.out, (".toml",))
     strategy = evolution_strategy()
     settings = measured_settings(arguments, {"physics.self_collision": True})

@@ -13,6 +13,7 @@ from game.commands.output_file import check_output_file, write_report
 from game.commands.parallel import run_all, usable_cores
 from game.commands.set_option import add_settings_options, measured_settings
 from game.commands.upright_case import Case, Row, run_case
+from game.commands.whole_number import JOBS, check_whole_numbers
 from game.progress import Progress
 from game.report.session_report import versions
 from game.report.thesis_tables import CLIP_S, TABLE_3, TABLE_4, beside_the_thesis
@@ -48,8 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    if not 1 <= arguments.jobs <= 256:
-        raise BadInput(f"--jobs must be a whole number from 1 to 256, not {arguments.jobs}.")
+    check_whole_numbers(arguments, jobs=JOBS)
     if arguments.report is not None:
         check_output_file("--report", arguments.report)
     settings = settings_from(arguments)

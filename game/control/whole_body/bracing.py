@@ -48,6 +48,7 @@ over pushes from all sides."""
 
 
 def bracing(footing: Footing, felt: FeltPush) -> Bracing:
+    """CALM but while a push is felt, and after it during the steps that save the balance and a little longer."""
     way = ROUND if footing.rounds else STRAIGHT
     pushed = math.hypot(*felt.acceleration) > PUSHED_M_S2
     return way if pushed or (footing.saved_s < way.lasts_s and felt.thrown_s < THROWN_S) else CALM

@@ -47,10 +47,8 @@ SIDEWAYS = pose_of(neck=(0, 0.2, 0), shoulder=(1.0, -0.4, 0), elbow=(0, -0.6, 0)
 def is_lost(hull: Floats, com: Floats, xi: Floats, trunk_up: float) -> bool:
     """Whether balance is given up: hull (n, 2) of the feet that stand or are on a saving step, com (3,), capture point xi (2,), trunk_up
     the cosine of the trunk's tilt."""
-    beyond = -distance_inside(hull, com[:2])
-    if -distance_inside(hull, xi) > THROWN_M:
-        return True
-    return beyond > LOST_M or (beyond > TOPPLED_M and trunk_up < TOPPLED_UP)
+    beyond, thrown = -distance_inside(hull, com[:2]), -distance_inside(hull, xi)
+    return thrown > THROWN_M or beyond > LOST_M or (beyond > TOPPLED_M and trunk_up < TOPPLED_UP)
 
 
 @compiled

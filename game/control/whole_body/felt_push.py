@@ -13,7 +13,6 @@ MEMORY_S = 0.2
 THROWN_M_S = 0.25
 """A push that is felt so much throws the body. Measured: 60 N s make it 0.4; a player's motions 0.2, hops and quick turns 0.3."""
 
-
 NOW_S, UNFELT_M_S = 0.03, 0.04
 """A push that goes on is told from what it did in so long, less what a motion does."""
 

@@ -67,6 +67,11 @@ class GettingUp:
         if route == "side" and body.turn[_TRUNK, 2, 1] < 0.0:
             self._poses = tuple(KeyPose(in_mirror(pose.joints), pose.seconds) for pose in self._poses)
         self._number, self._since_s, self._start = 0, 0.0, log(body.joint_rotation)
+        self._lay_flat = route_of(body) != "side"
+
+    def tips_over(self, body: BodyState) -> bool:
+        """Who pushed himself up from the front has come to lie on the side: the rest of the try is lost."""
+        return self.route == "prone" and self._lay_flat and route_of(body) == "side"
 
     @property
     def comes_to_stand(self) -> bool:

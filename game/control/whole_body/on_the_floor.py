@@ -88,7 +88,7 @@ class OnTheFloor:
             return True
         if self._try.has_ended:
             self._go_on(body)
-        elif self._try.route == "prone" and route_of(body) == "side":
+        elif self._try.tips_over(body):
             self._begin(body)
         return False
 

@@ -40,10 +40,14 @@ class Scene:
 
     def go(self, seconds=DT):
         for _ in range(max(1, round(seconds / DT))):
-            wish = Wish(self.up, self.flight, self.wished.copy(), self.wished_yaw)
-            sway = Sway(self.xi, OMEGA, self.sway_m, self.thrown, self.push, self.load)
-            self.footing.update(self.soles(), sway, wish, self.taking_off, DT)
+            self.footing.update(self.soles(), self.sway(), self.wish(), self.taking_off, DT)
         return self.phases()
+
+    def wish(self) -> Wish:
+        return Wish(self.up, self.flight, self.wished.copy(), self.wished_yaw)
+
+    def sway(self) -> Sway:
+        return Sway(self.xi, OMEGA, self.sway_m, self.thrown, self.push, self.load)
 
     def phases(self):
         return tuple(foot.phase for foot in self.footing.feet)

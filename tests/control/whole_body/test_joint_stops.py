@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from game import rotation
-from game.characters.joint_limits import HIGH, LOW
+from game.characters.joint_limits import HIGH, LOW, in_range_of
 from game.characters.skeleton import JOINT_COUNT, JOINTS
 from game.characters.strength import joint_strength
 from game.control.whole_body.joint_stops import SLACK_RAD, STANDING_SOON_S, stopped
@@ -39,16 +39,41 @@ def test_past_it_the_joint_alone_is_pushed_back_and_braked():
     assert rotation.log(rotations).reshape(-1)[KNEE] == pytest.approx(STRAIGHT - SLACK_RAD)
 
 
-def test_twice_its_muscles_hold_a_joint_that_is_ten_degrees_past_its_range():
+def test_its_muscles_once_more_hold_a_joint_that_is_ten_degrees_past_its_range():
     rotations, kp, _, _ = held(STRAIGHT - np.radians(10.0))
     back_nm = kp[KNEE] * (rotation.log(rotations).reshape(-1)[KNEE] - (STRAIGHT - np.radians(10.0)))
-    assert back_nm > 2.0 * STRENGTH[1, KNEE]
+    assert back_nm > STRENGTH[1, KNEE]
 
 
 def test_a_joint_that_flies_past_its_end_is_met_on_its_way():
     near = STRAIGHT - 0.5 * SLACK_RAD
     assert not held(near)[1].any()
     assert held(near, -2.0 * SLACK_RAD / STANDING_SOON_S)[1][KNEE] > 0.0
+
+
+RAISED = (0.0, np.radians(-150.0), np.radians(-95.0))
+"""Of the left shoulder: an arm over the head that is twisted 25 degrees past its range."""
+
+
+def test_far_from_straight_a_joint_is_turned_back_the_shortest_way():
+    pose, joint = bent(shoulder_left=RAISED), JOINTS.index("shoulder_left")
+    speed, damping = np.ones(42), np.full(42, 0.5)
+    rotations, kp = stopped(pose, np.zeros(42), STRENGTH, speed, damping)
+    torque = kp.reshape(-1, 3)[joint] * rotation.log(rotation.multiply(rotation.conjugate(pose[joint]), rotations[joint]))
+    angle = in_range_of(pose[joint], LOW[joint], HIGH[joint])
+    inside = rotation.exp(np.clip(angle, LOW[joint] - SLACK_RAD, HIGH[joint] + SLACK_RAD))
+    back = rotation.log(rotation.multiply(rotation.conjugate(pose[joint]), inside))
+    np.testing.assert_allclose(torque / np.linalg.norm(torque), back / np.linalg.norm(back), atol=1e-9)
+    assert np.argmax(np.abs(back)) != 2
+    np.testing.assert_array_equal(np.delete(kp.reshape(-1, 3), joint, axis=0), 0.0)
+
+
+def test_a_joint_still_within_its_range_is_only_braked():
+    """A spring from where it will be would push before its time, and shake it."""
+    pose = bent(knee_left=(0.0, STRAIGHT - 0.5 * SLACK_RAD, 0.0))
+    rotations, kp, _, damping = held(STRAIGHT - 0.5 * SLACK_RAD, -2.0 * SLACK_RAD / STANDING_SOON_S)
+    assert kp[KNEE] > 0.0 and damping[KNEE] > 0.5
+    np.testing.assert_allclose(rotations, pose, atol=1e-12)
 
 
 def test_a_mirrored_body_is_stopped_alike():

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from game.control.whole_body.mending import AMISS_S, ASTRAY_M, CALM_M, GIVEN_UP_S, SHAKEN_AMISS_S, SHAKEN_ASTRAY_M, SHAKEN_S, SLOW_M
-from tests.control.whole_body.footing_scene import DT, LEFT, RIGHT, STAND, STANDS, STEPS, Scene
+from game.control.whole_body.saving_step import STEP_S
+from tests.control.whole_body.footing_scene import DT, HALF_LENGTH, LEFT, RIGHT, STAND, STANDS, STEPS, Scene
 
 ASIDE = np.array([0.0, 0.3])
 
@@ -75,6 +76,29 @@ def test_a_body_that_sways_does_not_mend_what_no_push_did(scene):
     scene.xi = STAND[RIGHT].copy()
     scene.sway_m = CALM_M + 0.01
     assert scene.go(2.0 * AMISS_S) == (STANDS, STANDS)
+
+
+def test_a_foot_that_turns_back_swings_out_past_the_other_one(shaken):
+    shaken.yaw[RIGHT] = -1.2
+    shaken.go(SHAKEN_AMISS_S + 3 * DT)
+    foot = shaken.footing.feet[RIGHT]
+    np.testing.assert_allclose(foot.bow.out, [0.0, -HALF_LENGTH * np.sin(1.2), 0.0], atol=1e-12)
+    shaken.yaw[RIGHT] = 0.0
+
+
+def test_a_foot_that_a_step_pulls_off_the_floor_is_put_beside_the_other_at_once(scene):
+    """The balance was saved by the left foot, and the leg of the right one is too short for so wide a stance."""
+    scene.xi = np.array([0.0, 0.2])
+    assert scene.go() == (STEPS, STANDS)
+    scene.lift_off(LEFT)
+    scene.go(0.7 * STEP_S)
+    scene.place[LEFT] = scene.footing.feet[LEFT].goal[:2]
+    scene.put_down(LEFT)
+    scene.xi = scene.place[LEFT].copy()
+    scene.go()
+    scene.lift_off(RIGHT)
+    assert scene.go() == (STANDS, STEPS)
+    np.testing.assert_allclose(scene.footing.feet[RIGHT].goal[:2], scene.place[LEFT] + STAND[RIGHT] - STAND[LEFT])
 
 
 def test_a_foot_that_loses_the_floor_while_it_is_to_be_put_right_goes_there(shaken):

@@ -74,6 +74,15 @@ def test_who_lies_on_the_side_rolls_first_and_that_is_no_try_of_its_own():
     assert floor._try.route in ("supine", "prone") and floor.tries == 1
 
 
+def test_who_tips_over_on_the_way_up_begins_anew_at_once_from_the_side():
+    floor, body = OnTheFloor(), lying()
+    floor.fall()
+    pass_time(floor, body, LEAST_FALL_S + 2 * DT)
+    assert floor._try is not None and floor._try.route == "prone" and floor.tries == 1
+    floor.stands_ready(lying(ON_ITS_SIDE), True, DT)
+    assert floor._try.route == "side" and floor.tries == 2 and floor.stage is Stage.GETTING_UP
+
+
 def test_feet_that_can_take_over_end_the_lying():
     world = world_of((0.0, 0.0, 0.0))
     floor, body = OnTheFloor(), world.characters[0]

@@ -14,8 +14,10 @@ from game.control.whole_body.saving_step import (
     ROUND_M,
     STEP_S,
     UNCROSS_S,
+    landing_goal,
+    saving_step,
 )
-from tests.control.whole_body.footing_scene import CENTRED, DT, HALF_LENGTH, LEFT, OMEGA, RIGHT, STAND, STANDS, STEPS, Scene
+from tests.control.whole_body.footing_scene import CENTRED, DT, HALF_LENGTH, HALF_WIDTH, LEFT, OMEGA, RIGHT, STAND, STANDS, STEPS, Scene
 
 
 @pytest.fixture
@@ -37,7 +39,8 @@ def test_pushed_hard_sideways_the_foot_that_carries_nothing_crosses_over_round_t
     assert scene.go() == (STANDS, STEPS)
     foot = scene.footing.feet[RIGHT]
     assert foot.goal[1] > STAND[LEFT, 1] + 0.1 and abs(foot.goal[0]) >= CROSS_AHEAD_M - 1e-9
-    assert foot.duration_s == CROSS_S and np.sign(foot.round_m) == np.sign(foot.goal[0]) and abs(foot.round_m) == ROUND_M
+    assert foot.duration_s == CROSS_S
+    np.testing.assert_allclose(foot.bow.out, [np.copysign(ROUND_M, foot.goal[0]), 0.0, 0.0])
 
 
 def test_a_foot_that_is_crossed_comes_back_round_the_other_leg(scene):
@@ -50,8 +53,20 @@ def test_a_foot_that_is_crossed_comes_back_round_the_other_leg(scene):
             break
     foot = scene.footing.feet[LEFT]
     assert foot.phase is STEPS and foot.duration_s == UNCROSS_S
-    assert foot.round_m == pytest.approx(ROUND_M), "the right foot is behind: it goes before it"
+    np.testing.assert_allclose(foot.bow.out, [ROUND_M, 0.0, 0.0], err_msg="the right foot is behind: it goes before it")
+    assert foot.bow.late, "first past its toes, then back"
     assert foot.goal[1] >= scene.place[RIGHT, 1] + LEAST_SIDE_M - 1e-9
+
+
+def test_beside_a_foot_that_is_turned_a_step_comes_down_farther_off(scene):
+    scene.xi = np.array([0.0, -0.02])
+    step = saving_step(RIGHT, 0, scene.soles(), scene.wish())
+    straight = landing_goal(step, scene.soles(), scene.sway(), scene.wish(), 0.1)
+    scene.wished[:, 1] *= 0.5
+    scene.yaw[LEFT] = 0.5 * np.pi
+    turned = landing_goal(step, scene.soles(), scene.sway(), scene.wish(), 0.1)
+    wide = HALF_LENGTH - HALF_WIDTH
+    assert turned[1] == pytest.approx(STAND[LEFT, 1] - LEAST_SIDE_M - wide) and turned[1] < straight[1]
 
 
 def test_a_push_that_is_felt_calls_for_a_step_before_the_capture_point_is_out(scene):
