@@ -27,10 +27,10 @@ LET_GO_S = 1.5
 BRACED_RATE, LIMP_RATE = 9.0, 2.0
 """1/s: the joints follow the protective pose as fast at first, and at last."""
 
-DAMPING_RATE = 22.0
+DAMPING_RATE = 30.0
 """1/s at which a joint that nothing moves comes to rest against its own limb; against the whole body it is less."""
 
-LEAST_DAMPING = 1.0
+LEAST_DAMPING = 2.0
 """N m s/rad: a hand is so light that the floor would throw it about its wrist."""
 
 SOON_S = 0.03
