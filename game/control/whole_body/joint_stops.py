@@ -18,7 +18,7 @@ LEAST_STOP_NM = 25.0
 STOP_S = 0.02
 """The stop damps as a spring that settles in this time."""
 
-SLACK_RAD, STANDING_SOON_S, STANDING_LIGAMENTS = 0.03, 0.01, 1.0
+SLACK_RAD, STANDING_SOON_S, STANDING_LIGAMENTS = 0.06, 0.01, 1.0
 """A body that keeps its balance keeps its ranges by itself: a stop waits so far past the end, looks so much less ahead, and is softer, for
 it takes the plan by surprise."""
 

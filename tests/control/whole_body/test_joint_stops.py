@@ -39,9 +39,9 @@ def test_past_it_the_joint_alone_is_pushed_back_and_braked():
     assert rotation.log(rotations).reshape(-1)[KNEE] == pytest.approx(STRAIGHT - SLACK_RAD)
 
 
-def test_its_muscles_once_more_hold_a_joint_that_is_ten_degrees_past_its_range():
-    rotations, kp, _, _ = held(STRAIGHT - np.radians(10.0))
-    back_nm = kp[KNEE] * (rotation.log(rotations).reshape(-1)[KNEE] - (STRAIGHT - np.radians(10.0)))
+def test_a_joint_that_is_eleven_degrees_past_its_range_is_held_by_as_much_as_its_muscles():
+    rotations, kp, _, _ = held(STRAIGHT - np.radians(11.0))
+    back_nm = kp[KNEE] * (rotation.log(rotations).reshape(-1)[KNEE] - (STRAIGHT - np.radians(11.0)))
     assert back_nm > STRENGTH[1, KNEE]
 
 
