@@ -36,6 +36,9 @@ HEADER = """# Key poses on the way up from the floor, as `run_game.py search-get
 # image. `side` begins on the right side, and is mirrored on the left one; `supine` rolls over to the front; `prone` comes up.
 """
 
+GETS_UP: dict[str, Value] = {"physics.self_collision": True, "balance.strategy": "whole-body", "whole_body.get_up": True}
+"""Whatever the preset, the starts are those of bodies that are about to get up."""
+
 TRIED_FROM = 10
 """Every proposal of a round is tried from so many starts, which are drawn anew for each round."""
 
@@ -57,7 +60,7 @@ def run(arguments: argparse.Namespace) -> int:
     check_whole_numbers(arguments, starts=(1, 10000), jobs=JOBS, seed=(0, 2**31))
     check_output_file("--out", arguments.out, (".toml",))
     strategy = evolution_strategy()
-    settings = measured_settings(arguments, {"physics.self_collision": True})
+    settings = measured_settings(arguments, GETS_UP)
     tell_of_compiling()
     values, route, rng = settings.as_dict(), arguments.route, np.random.default_rng(arguments.seed)
     with one_blas_thread(), get_context("spawn").Pool(arguments.jobs) as pool:
