@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from game.control.whole_body.bow import bow
 from game.control.whole_body.capture_point import escape_of_soles, pushed_away
 from game.control.whole_body.contact_states import FootState, Phase
-from game.control.whole_body.mending import SLOW_M, Mending
+from game.control.whole_body.mending import MARGIN_M, SLOW_M, Mending
 from game.control.whole_body.saving_step import SavingStep, cheapest_step, landing_goal, saving_step, way_round
 from game.control.whole_body.sole import Sole, polygon
 from game.control.whole_body.support_polygon import distance_inside
@@ -23,11 +23,12 @@ LOST_M = 0.03
 NEAR_FLOOR_M = 0.08
 """A foot on its way down counts for the balance from here on."""
 
-RETURN_S, MEND_MARGIN_M = 0.3, 0.02
-"""A foot that is put right takes so long, and is lifted once the capture point lies this far inside the other sole."""
+RETURN_S, TURNS_SHARE = 0.3, 0.6
+"""A foot that is put right takes so long; for this share of it, it can still turn to save the balance."""
 
-LEFT_BEHIND_S = 1.0
-"""A foot that loses the floor so soon after a step that saved the balance was left behind by it, and is put beside the other one."""
+LEFT_BEHIND_S, HANGS_M = 1.0, 0.015
+"""A foot that loses the floor so soon after a step that saved the balance was left behind by it, and is put beside the other one; and so
+is one that then hangs this far above the floor, which a leg spread wide does not reach."""
 
 LIFT_AGAIN_M = 0.012
 """A foot that had to come down at once is lifted again once the capture point lies this far inside the other sole."""
@@ -100,11 +101,11 @@ class Footing:
     def _land(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> None:
         for side, foot in enumerate(self.feet):
             touches = soles[side].touches
-            if foot.stands and not touches and soles[side].centre[2] > LOST_M:
-                if side == self.mending.side or self._is_left_behind(side, soles, sway, wish):
-                    self._put_right(side, soles, wish, True)
-                else:
-                    foot.enter(Phase.SWING)
+            lost = foot.stands and not touches and soles[side].centre[2] > LOST_M
+            if (lost and side == self.mending.side) or self._is_left_behind(side, soles, sway, wish):
+                self._put_right(side, soles, wish, True)
+            elif lost:
+                foot.enter(Phase.SWING)
             landed = foot.phase is Phase.SWING and foot.time_s > 0.08 and not wish.up[side]
             if foot.phase is Phase.STEP and foot.time_s > 0.6 * foot.duration_s:
                 near = math.dist(soles[side].centre[:2], foot.goal[:2]) < LAND_NEAR_M
@@ -113,10 +114,13 @@ class Footing:
                 foot.enter(Phase.STANCE)
 
     def _is_left_behind(self, side: int, soles: tuple[Sole, Sole], sway: Sway, wish: Wish) -> bool:
-        """The other foot carries all, and nothing is in the way."""
+        """It is off the floor, the other foot carries all, and nothing is in the way."""
+        foot, sole = self.feet[side], soles[side]
+        if foot.phase is Phase.STEP or sole.touches or sole.centre[2] <= (LOST_M if foot.stands else HANGS_M):
+            return False
         if wish.up[side] or self.saved_s > LEFT_BEHIND_S or way_round(side, 0, soles, wish):
             return False
-        return bool(distance_inside(soles[1 - side].corners(0.0), sway.xi) > MEND_MARGIN_M)
+        return bool(distance_inside(soles[1 - side].corners(0.0), sway.xi) > MARGIN_M)
 
     def _fly(self, soles: tuple[Sole, Sole], wish: Wish, taking_off: bool, dt: float) -> bool:
         self.landed_s += dt
@@ -143,7 +147,7 @@ class Footing:
             return
         self.intended = other = 1 - side
         # over the other sole it can be steered both ways; whoever waits until it rests there lifts no foot of a player who marches
-        margin = (LIFT_AGAIN_M if self.missed[side] else 0.0) if wish.up[side] else MEND_MARGIN_M
+        margin = (LIFT_AGAIN_M if self.missed[side] else 0.0) if wish.up[side] else self.mending.margin_m
         if not soles[other].touches or distance_inside(soles[other].corners(0.0), sway.xi) < margin:
             return
         if wish.up[side]:
@@ -187,13 +191,18 @@ class Footing:
             return
         if len(standing) == 1:
             side = 1 - standing[0]
-            if self.feet[side].phase is Phase.SWING:
+            if self._can_turn(self.feet[side]):
                 self.missed[side] = wish.up[side]
-                self._step(saving_step(side, 0, soles, wish), soles, sway, wish)
+                self._step(cheapest_step(soles, sway, wish, (side,)), soles, sway, wish)
             else:
                 self._retarget(soles, sway, wish)
             return
         self._step(cheapest_step(soles, sway, wish), soles, sway, wish)
+
+    def _can_turn(self, foot: FootState) -> bool:
+        """A foot in the air can save the balance: it follows the player's, or has not long been on its way to mend the stance."""
+        mends = foot.phase is Phase.STEP and foot.saving is None
+        return foot.phase is Phase.SWING or (mends and foot.time_s < TURNS_SHARE * foot.duration_s)
 
     def _is_stuck(self, side: int, soles: tuple[Sole, Sole]) -> bool:
         """It is to save the balance and carries all instead: the push has lifted the other one."""

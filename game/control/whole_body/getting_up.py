@@ -30,8 +30,9 @@ FLAT_UP, ON_FLOOR_M = 0.94, 0.04
 INSIDE_M, BESIDE_M, SLOW_M_S = 0.0, 0.05, 1.0
 """They can with the capture point so far within them, the COM no farther beyond them than the second, and no faster."""
 
-ON_SIDE = 0.7
-"""Whose shoulder points up by more than this, the sine of 44 degrees, lies on the other side."""
+ON_SIDE, ROLLS_ON_S = 0.7, 0.4
+"""Whose shoulder points up by more than this, the sine of 44 degrees, lies on the other side; one who is rolling over to the front may
+still do so for so long."""
 
 _TRUNK = PARTS.index("trunk")
 
@@ -67,11 +68,13 @@ class GettingUp:
         if route == "side" and body.turn[_TRUNK, 2, 1] < 0.0:
             self._poses = tuple(KeyPose(in_mirror(pose.joints), pose.seconds) for pose in self._poses)
         self._number, self._since_s, self._start = 0, 0.0, log(body.joint_rotation)
+        self._lasts_s = 0.0
         self._lay_flat = route_of(body) != "side"
 
     def tips_over(self, body: BodyState) -> bool:
-        """Who pushed himself up from the front has come to lie on the side: the rest of the try is lost."""
-        return self.route == "prone" and self._lay_flat and route_of(body) == "side"
+        """Who pushes himself up from the front lies on the side, again or still: the rest of the try is lost."""
+        rolled_on = self._lay_flat or self._lasts_s > ROLLS_ON_S
+        return self.route == "prone" and rolled_on and route_of(body) == "side"
 
     @property
     def comes_to_stand(self) -> bool:
@@ -93,6 +96,7 @@ class GettingUp:
         if not self._in_last_pose and self._since_s >= self._poses[self._number].seconds - 0.5 * dt:
             self._number, self._since_s, self._start = self._number + 1, 0.0, log(body.joint_rotation)
         self._since_s += dt
+        self._lasts_s += dt
         pose = self._poses[self._number]
         drive(self._start, pose.joints, pose.seconds, self._since_s, body.joint_rotation, body.velocity[6:], low, high, rotation, kp, kd)
 

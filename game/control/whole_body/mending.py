@@ -20,6 +20,10 @@ SHAKEN_S = 3.0
 CALM_M, SLOW_M = 0.05, 0.1
 """A capture point no farther from the COM than this belongs to a body at rest, or to one that is slow enough to stand on one foot."""
 
+MARGIN_M, PATIENT_S, LEAN_M = 0.02, 0.5, 0.04
+"""The foot is lifted once the capture point lies so far inside the other sole; after waiting so long, once it is no farther outside: on
+feet that stand wide the far one cannot push it over, and the foot comes down beside the other one before it has got away."""
+
 GIVEN_UP_S = 1.5
 """The weight has so long to come over the other foot; then the mending is put off."""
 
@@ -29,13 +33,18 @@ class Mending:
 
     def __init__(self) -> None:
         self.side: int | None = None
-        self._since_s = 0.0
+        self._waits_s = 0.0
         self._amiss_s = 0.0
         self._shaken_s = SHAKEN_S
 
     def watch(self, thrown: bool, dt: float) -> None:
         """thrown: a push was felt, or a foot begins a step that saves the balance."""
         self._shaken_s = 0.0 if thrown else self._shaken_s + dt
+
+    @property
+    def margin_m(self) -> float:
+        """How far inside the other sole the capture point has to lie before the foot is lifted."""
+        return -LEAN_M if self.side is not None and self._waits_s > PATIENT_S else MARGIN_M
 
     def drop(self) -> None:
         """It is done, or there is something else to do."""
@@ -49,15 +58,15 @@ class Mending:
         shaken = self._shaken_s < SHAKEN_S
         side, share = _trailing(soles, xi, wish) if shaken else _farthest(soles, wish)
         if self.side is not None:
-            self._since_s += dt
-            if self._since_s < GIVEN_UP_S and share > 0.5:
+            self._waits_s += dt
+            if self._waits_s < GIVEN_UP_S and share > 0.5:
                 return self.side
             self.drop()
         self._amiss_s = self._amiss_s + dt if share > 1.0 and (sway_m < CALM_M or shaken) else 0.0
         if self._amiss_s <= (SHAKEN_AMISS_S if shaken else AMISS_S):
             return None
         if shaken:
-            self.side, self._since_s = side, 0.0
+            self.side, self._waits_s = side, 0.0
         return side
 
 

@@ -3,9 +3,21 @@
 import numpy as np
 import pytest
 
-from game.control.whole_body.mending import AMISS_S, ASTRAY_M, CALM_M, GIVEN_UP_S, SHAKEN_AMISS_S, SHAKEN_ASTRAY_M, SHAKEN_S, SLOW_M
+from game.control.whole_body.footing import HANGS_M, RETURN_S, TURNS_SHARE
+from game.control.whole_body.mending import (
+    AMISS_S,
+    ASTRAY_M,
+    CALM_M,
+    GIVEN_UP_S,
+    LEAN_M,
+    PATIENT_S,
+    SHAKEN_AMISS_S,
+    SHAKEN_ASTRAY_M,
+    SHAKEN_S,
+    SLOW_M,
+)
 from game.control.whole_body.saving_step import STEP_S
-from tests.control.whole_body.footing_scene import DT, HALF_LENGTH, LEFT, RIGHT, STAND, STANDS, STEPS, Scene
+from tests.control.whole_body.footing_scene import DT, HALF_LENGTH, HALF_WIDTH, LEFT, RIGHT, STAND, STANDS, STEPS, SWINGS, Scene
 
 ASIDE = np.array([0.0, 0.3])
 
@@ -71,6 +83,37 @@ def test_while_the_weight_comes_over_the_other_foot_the_choice_stays(shaken):
     assert shaken.footing.mending.side != RIGHT
 
 
+def test_a_weight_that_does_not_quite_come_over_the_other_foot_is_waited_for_and_then_stepped_in_from(shaken):
+    """A leg spread wide cannot push it over."""
+    shaken.xi = shaken.place[LEFT] - (0.0, HALF_WIDTH + LEAN_M - 0.005)
+    assert shaken.go(SHAKEN_AMISS_S + PATIENT_S - 3 * DT) == (STANDS, STANDS)
+    assert shaken.go(6 * DT) == (STANDS, STEPS)
+
+
+def test_one_that_stays_far_off_is_not_stepped_in_from(shaken):
+    shaken.xi = shaken.place[LEFT] - (0.0, HALF_WIDTH + LEAN_M + 0.005)
+    assert shaken.go(SHAKEN_AMISS_S + GIVEN_UP_S) == (STANDS, STANDS)
+
+
+def test_a_foot_on_its_way_to_mend_the_stance_turns_to_save_the_balance(shaken):
+    assert shaken.go(SHAKEN_AMISS_S + 3 * DT) == (STANDS, STEPS)
+    mending = shaken.footing.feet[RIGHT]
+    shaken.lift_off(RIGHT)
+    shaken.xi = shaken.place[LEFT] + (0.25, 0.0)
+    assert mending.saving is None
+    shaken.go()
+    assert mending.saving is not None and mending.goal[0] > shaken.xi[0]
+
+
+def test_a_foot_that_is_about_to_come_down_beside_the_other_does_so_first(shaken):
+    shaken.go(SHAKEN_AMISS_S + 3 * DT)
+    shaken.lift_off(RIGHT)
+    shaken.go(TURNS_SHARE * RETURN_S)
+    shaken.xi = shaken.place[LEFT] + (0.25, 0.0)
+    shaken.go()
+    assert shaken.footing.feet[RIGHT].saving is None and shaken.phases() == (STANDS, STEPS)
+
+
 def test_a_body_that_sways_does_not_mend_what_no_push_did(scene):
     scene.place[LEFT] = STAND[LEFT] + (2.0 * ASTRAY_M, 0.0)
     scene.xi = STAND[RIGHT].copy()
@@ -97,6 +140,24 @@ def test_a_foot_that_a_step_pulls_off_the_floor_is_put_beside_the_other_at_once(
     scene.xi = scene.place[LEFT].copy()
     scene.go()
     scene.lift_off(RIGHT)
+    assert scene.go() == (STANDS, STEPS)
+    np.testing.assert_allclose(scene.footing.feet[RIGHT].goal[:2], scene.place[LEFT] + STAND[RIGHT] - STAND[LEFT])
+
+
+def test_a_foot_that_hangs_over_the_floor_after_such_a_step_is_put_there_once_the_other_carries_all(scene):
+    """The capture point was at the edge of the left sole when the right one lost the floor: it swings after the player's."""
+    scene.xi = np.array([0.0, 0.2])
+    scene.go()
+    scene.lift_off(LEFT)
+    scene.go(0.7 * STEP_S)
+    scene.place[LEFT] = scene.footing.feet[LEFT].goal[:2]
+    scene.put_down(LEFT)
+    scene.xi = scene.place[LEFT] + (0.0, HALF_WIDTH - 0.005)
+    scene.go()
+    scene.lift_off(RIGHT)
+    assert scene.go() == (STANDS, SWINGS)
+    scene.height[RIGHT] = HANGS_M + 0.001
+    scene.xi = scene.place[LEFT].copy()
     assert scene.go() == (STANDS, STEPS)
     np.testing.assert_allclose(scene.footing.feet[RIGHT].goal[:2], scene.place[LEFT] + STAND[RIGHT] - STAND[LEFT])
 

@@ -5,6 +5,7 @@ import pytest
 
 from game import rotation
 from game.characters.strength import joint_strength
+from game.control.whole_body.getting_up import ROLLS_ON_S, GettingUp
 from game.control.whole_body.key_poses import key_poses
 from game.control.whole_body.on_the_floor import LEAST_FALL_S, MOST_FALL_S, MOST_TRIES, STAND_UP_S, OnTheFloor, Stage
 from tests.physics.standing import idle_joints, original, world_of
@@ -81,6 +82,14 @@ def test_who_tips_over_on_the_way_up_begins_anew_at_once_from_the_side():
     assert floor._try is not None and floor._try.route == "prone" and floor.tries == 1
     floor.stands_ready(lying(ON_ITS_SIDE), True, DT)
     assert floor._try.route == "side" and floor.tries == 2 and floor.stage is Stage.GETTING_UP
+
+
+def test_who_does_not_roll_over_from_the_side_to_the_front_begins_anew_before_the_way_up_is_over():
+    floor, side = OnTheFloor(), lying(ON_ITS_SIDE)
+    floor.stage, floor._try = Stage.GETTING_UP, GettingUp(side, "prone")
+    assert pass_time(floor, side, ROLLS_ON_S - 0.1) == [Stage.GETTING_UP] and floor.tries == 0
+    pass_time(floor, side, 0.2)
+    assert floor._try.route == "side" and floor.tries == 1
 
 
 def test_feet_that_can_take_over_end_the_lying():
