@@ -57,7 +57,7 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
 SOLREF = [0.01, 1.0]
 
 SKIN_M = 0.01
-"""What falls to the floor is caught this much before it: in one step of 1/240 s a hand at 4 m/s goes 1.7 cm. Feet are bare."""
+"""What comes to the floor is caught this much before it, and what comes down fast earlier: see `floor_skin`. Feet are bare."""
 
 
 def _already_counted(_text: str) -> None:
@@ -90,16 +90,21 @@ def _add_character(spec: mj.MjSpec, plan: BodyPlan, index: int, count: int, fric
         )
         bodies.append(body)
         if part not in FEET:
-            _add_skin(spec, f"c{index}.{name}", friction)
+            _add_skin(spec, index, name, friction)
     hang = spec.add_equality(name=f"c{index}.hang", type=mj.mjtEq.mjEQ_WELD, objtype=mj.mjtObj.mjOBJ_BODY)
     hang.name1 = f"c{index}.pelvis"
     hang.active = False
     hang.solref = [0.01, 1.0]
 
 
-def _add_skin(spec: mj.MjSpec, geom: str, friction: float) -> None:
-    pair = spec.add_pair(name=f"{geom}.skin")
-    pair.geomname1, pair.geomname2 = "floor", geom
+def skin_name(index: int, part: str) -> str:
+    """Of the contact between the floor and a part of character `index`."""
+    return f"c{index}.{part}.skin"
+
+
+def _add_skin(spec: mj.MjSpec, index: int, part: str, friction: float) -> None:
+    pair = spec.add_pair(name=skin_name(index, part))
+    pair.geomname1, pair.geomname2 = "floor", f"c{index}.{part}"
     pair.margin = SKIN_M
     pair.condim = 3
     pair.friction = [friction, friction, 0.005, 0.0001, 0.0001]

@@ -12,6 +12,7 @@ from game.characters.skeleton import PARTS
 from game.control.joint_command import JointCommand
 from game.physics.actuation import Actuation, settle_torque
 from game.physics.dynamics import BodyDynamics
+from game.physics.floor_skin import FloorSkin
 from game.physics.guard import command_is_sound, unsound_characters
 from game.physics.honesty import HonestyMeter, Push
 from game.physics.model import build_model
@@ -57,6 +58,7 @@ class World:
         self.actuation = Actuation(self.model, self.data, self.characters, explicit=integrator == "explicit")
         self.meter = HonestyMeter(self.model, self.data, self.characters)
         self.ring = StateRing(self.model, self.data)
+        self._skin = FloorSkin(self.model, self.data, self.characters)
         self.step_count = 0
         self.guard_actions = 0
         self.faults: list[str] = []
@@ -129,6 +131,7 @@ class World:
         mj.mj_step(self.model, self.data)
         if not meter.close_step(self.actuation, pushes, self._trail, self._trail_rows):
             self._save_step(pushes)
+        self._skin.thicken()
         self.step_count += 1
         self._trail_rows += 1
         if self._trail_rows == TRAIL_STEPS:
