@@ -56,6 +56,9 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
 
 SOLREF = [0.01, 1.0]
 
+LIMB_SHARE = 0.5
+"""Limbs and trunk, in clothes, rub on each other this share as hard as soles do; on the floor they rub as hard as soles."""
+
 SKIN_M = 0.01
 """What comes to the floor is caught this much before it, and what comes down fast earlier: see `floor_skin`. Feet are bare."""
 
@@ -83,7 +86,7 @@ def _add_character(spec: mj.MjSpec, plan: BodyPlan, index: int, count: int, fric
             pos=plan.centre_offset[part],
             size=plan.size[part] / 2.0,
             mass=plan.mass[part],
-            friction=[friction, 0.005, 0.0001],
+            friction=[(1.0 if part in FEET else LIMB_SHARE) * friction, 0.005, 0.0001],
             contype=own,
             conaffinity=touches,
             solref=SOLREF,

@@ -171,9 +171,9 @@ class World:
         self._settings_seen = self._settings.version
         wanted = self._settings.number("physics.friction")
         if wanted != self._friction:
-            self._friction = wanted
-            self.model.geom_friction[:, 0] = wanted
+            self.model.geom_friction[:, 0] *= wanted / self._friction
             self.model.pair_friction[:, :2] = wanted
+            self._friction = wanted
 
     def _apply_pushes(self) -> list[Push]:
         """Write the pushes that still last; the point is the part's centre at the start of this step."""

@@ -1,12 +1,13 @@
 """How a body that is thrown weighs its tasks: the trunk before all, the arms free to swing, until it has saved its balance."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.skeleton import JOINT_COUNT, JOINTS
+from game.control.whole_body.contact_states import Phase
 from game.control.whole_body.felt_push import FeltPush
 from game.control.whole_body.footing import Footing
 
@@ -46,9 +47,14 @@ ROUND = Bracing(
 """Of a body that nothing throws, of one that steps on the foot's own side, and of one that steps round the other leg; found by a search
 over pushes from all sides."""
 
+MENDING = replace(STRAIGHT, com=np.array([4.0, 4.0, 1.65]), swing=np.ones(6), rate=1.5)
+"""Of one that puts a foot right meanwhile: over one foot the COM goes before all, or the capture point leaks out of it."""
+
 
 def bracing(footing: Footing, felt: FeltPush) -> Bracing:
     """CALM but while a push is felt, and after it during the steps that save the balance and a little longer."""
     way = ROUND if footing.rounds else STRAIGHT
+    if any(foot.phase is Phase.STEP and foot.saving is None for foot in footing.feet):
+        way = MENDING
     pushed = math.hypot(*felt.acceleration) > PUSHED_M_S2
     return way if pushed or (footing.saved_s < way.lasts_s and felt.thrown_s < THROWN_S) else CALM

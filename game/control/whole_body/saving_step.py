@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 STEP_S, CROSS_S, UNCROSS_S = 0.234, 0.283, 0.37
 """How long it takes: on the foot's own side, across the other leg, and back from there."""
 
-OVERSTEP, CROSS_OVERSTEP, UNCROSS_OVERSTEP = (1.05, 1.05), (1.42, 1.42), (1.34, 1.07)
+OVERSTEP, CROSS_OVERSTEP, UNCROSS_OVERSTEP = (1.05, 1.13), (1.42, 1.42), (1.34, 1.07)
 """It goes so many times as far ahead and aside as the capture point is on its way: what the swing itself costs is in it."""
 
 PUSH_LASTS_S = 0.06
