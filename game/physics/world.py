@@ -70,6 +70,7 @@ class World:
         self._digest = hashlib.sha256()
         self._trail, self._trail_rows = np.empty((TRAIL_STEPS, self.model.nq + self.model.nv)), 0
         self._friction, self._settings_seen = settings.number("physics.friction"), settings.version
+        self._rub_share = self.model.geom_friction[:, 0] / self._friction
 
     @property
     def step_s(self) -> float:
@@ -171,9 +172,9 @@ class World:
         self._settings_seen = self._settings.version
         wanted = self._settings.number("physics.friction")
         if wanted != self._friction:
-            self.model.geom_friction[:, 0] *= wanted / self._friction
-            self.model.pair_friction[:, :2] = wanted
             self._friction = wanted
+            self.model.geom_friction[:, 0] = wanted * self._rub_share
+            self.model.pair_friction[:, :2] = wanted
 
     def _apply_pushes(self) -> list[Push]:
         """Write the pushes that still last; the point is the part's centre at the start of this step."""

@@ -7,7 +7,7 @@ from game import rotation
 from game.characters.skeleton import FEET, PARTS
 from game.physics.contacts import contact_forces
 from game.physics.dynamics import lowest_corner
-from game.physics.model import SKIN_M
+from game.physics.model import LIMB_SHARE, SKIN_M
 from game.physics.root_balance import cone_excess
 from game.physics.world import World
 from game.tunables import Settings
@@ -123,3 +123,15 @@ def test_skin_rubs_as_hard_as_soles_do():
         run(world, 480, limp)
         way[friction] = world.data.qpos[1] - start
     assert way[0.5] < 1.5**2 / (2.0 * 0.5 * 9.81) * 1.3 and way[0.05] > 2.0 * way[0.5]
+
+
+def test_limbs_rub_on_each_other_half_as_hard_as_soles_do_also_after_the_friction_was_turned():
+    settings = Settings({"physics.friction": 0.8})
+    world = World([original()], settings)
+    expected = np.array([1.0 if part in FEET else LIMB_SHARE for part in range(len(PARTS))])
+    geoms = [int(world.model.geom(f"c0.{part}").id) for part in PARTS]
+    for friction in (0.8, 0.3, 0.8):
+        settings.set("physics.friction", friction)
+        world.step()
+        np.testing.assert_allclose(world.model.geom_friction[geoms, 0], friction * expected, rtol=1e-15)
+        assert world.model.geom_friction[world.model.geom("floor").id, 0] == pytest.approx(friction, rel=1e-15)
