@@ -6,7 +6,7 @@ import mujoco as mj
 import numpy as np
 from numpy.typing import NDArray
 
-from game.characters.skeleton import FEET, PARTS
+from game.characters.skeleton import FEET, PART_COUNT, PARTS
 from game.compiled import compiled
 from game.physics.dynamics import BodyDynamics
 from game.physics.model import skin_name
@@ -24,7 +24,7 @@ class FloorSkin:
     step."""
 
     def __init__(self, model: mj.MjModel, data: mj.MjData, characters: Sequence[BodyDynamics]) -> None:
-        skinned = [part for part in range(len(PARTS)) if part not in FEET]
+        skinned = [part for part in range(PART_COUNT) if part not in FEET]
         bodies = [(index, body.root_body, part) for index, body in enumerate(characters) for part in skinned]
         self._body = np.array([root + part for _, root, part in bodies])
         self._root = np.array([root for _, root, _ in bodies])

@@ -57,7 +57,7 @@ def build_model(plans: Sequence[BodyPlan], *, step_s: float, integrator: str, fr
 SOLREF = [0.01, 1.0]
 
 LIMB_SHARE = 0.5
-"""Limbs and trunk, in clothes, rub on each other this share as hard as soles do; on the floor they rub as hard as soles."""
+"""Limbs and trunk, in clothes, rub on each other and on an opponent's this share as hard as soles do; on the floor as hard as soles."""
 
 SKIN_M = 0.01
 """What comes to the floor is caught this much before it, and what comes down fast earlier: see `floor_skin`. Feet are bare."""

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.skeleton import JOINT_COUNT, JOINTS
-from game.control.whole_body.contact_states import Phase
 from game.control.whole_body.felt_push import FeltPush
 from game.control.whole_body.footing import Footing
 
@@ -52,9 +51,10 @@ MENDING = replace(STRAIGHT, com=np.array([4.0, 4.0, 1.65]), swing=np.ones(6), ra
 
 
 def bracing(footing: Footing, felt: FeltPush) -> Bracing:
-    """CALM but while a push is felt, and after it during the steps that save the balance and a little longer."""
+    """CALM but while a push is felt, and after it during the steps that save the balance and a little longer, when a foot may be put right
+    already."""
     way = ROUND if footing.rounds else STRAIGHT
-    if any(foot.phase is Phase.STEP and foot.saving is None for foot in footing.feet):
+    if any(foot.mends for foot in footing.feet):
         way = MENDING
     pushed = math.hypot(*felt.acceleration) > PUSHED_M_S2
     return way if pushed or (footing.saved_s < way.lasts_s and felt.thrown_s < THROWN_S) else CALM

@@ -44,6 +44,11 @@ class FootState:
     def stands(self) -> bool:
         return self.phase is Phase.STANCE
 
+    @property
+    def mends(self) -> bool:
+        """It is on its way to where the stance wants it, not to where the balance does."""
+        return self.phase is Phase.STEP and self.saving is None
+
     def enter(self, phase: Phase) -> None:
         self.phase, self.time_s, self.fresh, self.saving = phase, 0.0, True, None
 

@@ -201,8 +201,7 @@ class Footing:
 
     def _can_turn(self, foot: FootState) -> bool:
         """A foot in the air can save the balance: it follows the player's, or has not long been on its way to mend the stance."""
-        mends = foot.phase is Phase.STEP and foot.saving is None
-        return foot.phase is Phase.SWING or (mends and foot.time_s < TURNS_SHARE * foot.duration_s)
+        return foot.phase is Phase.SWING or (foot.mends and foot.time_s < TURNS_SHARE * foot.duration_s)
 
     def _is_stuck(self, side: int, soles: tuple[Sole, Sole]) -> bool:
         """It is to save the balance and carries all instead: the push has lifted the other one."""
