@@ -9,7 +9,7 @@ from game.control.whole_body.bow import bow
 from game.control.whole_body.capture_point import escape_of_soles, pushed_away
 from game.control.whole_body.contact_states import FootState, Phase
 from game.control.whole_body.mending import MARGIN_M, SLOW_M, Mending
-from game.control.whole_body.saving_step import SavingStep, cheapest_step, landing_goal, saving_step, way_round
+from game.control.whole_body.saving_step import SavingStep, cheapest_step, from_other, landing_goal, saving_step, way_round
 from game.control.whole_body.sole import Sole, polygon
 from game.control.whole_body.support_polygon import distance_inside
 from game.control.whole_body.sway import Sway
@@ -25,6 +25,9 @@ NEAR_FLOOR_M = 0.08
 
 RETURN_S, TURNS_SHARE = 0.3, 0.6
 """A foot that is put right takes so long; for this share of it, it can still turn to save the balance."""
+
+PASS_M = 0.03
+"""It passes the other foot at this distance."""
 
 LEFT_BEHIND_S, HANGS_M = 1.0, 0.015
 """A foot that loses the floor so soon after a step that saved the balance was left behind by it, and is put beside the other one; and so
@@ -143,9 +146,15 @@ class Footing:
 
     def _lift(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish, dt: float) -> None:
         side = self._to_lift(soles, sway, wish, dt)
-        if side is None or (not wish.up[side] and sway.away_m > SLOW_M):
+        if side is None:
             return
-        self.intended = other = 1 - side
+        fast = not wish.up[side] and sway.away_m > SLOW_M
+        # after a push the weight comes over the foot that stays with its own speed: steered elsewhere it would be stopped half-way
+        if not fast or self.mending.side is not None:
+            self.intended = 1 - side
+        if fast:
+            return
+        other = 1 - side
         # over the other sole it can be steered both ways; whoever waits until it rests there lifts no foot of a player who marches
         margin = (LIFT_AGAIN_M if self.missed[side] else 0.0) if wish.up[side] else self.mending.margin_m
         if not soles[other].touches or distance_inside(soles[other].corners(0.0), sway.xi) < margin:
@@ -164,16 +173,19 @@ class Footing:
         goal[:2] = wish.place[side]
         if beside:
             goal[:2] += soles[1 - side].centre[:2] - wish.place[1 - side]
-        # a foot that turns would catch on the other one with its heel
-        out_m = sole.half_length * abs(math.sin(sole.yaw - yaw))
+        # a foot that turns would catch on the other one with its heel, and one that is too close with its side
+        turns_m = sole.half_length * abs(math.sin(sole.yaw - yaw))
+        _, aside_m = from_other(side, soles[1 - side], wish, sole.centre[:2])
+        out_m = max(turns_m, 2.0 * sole.half_width + PASS_M - aside_m)
         self.feet[side].step_to(sole.centre, goal, sole.yaw, yaw, RETURN_S, bow(yaw, 0.0, out_m if side == 0 else -out_m))
         self.mending.drop()
 
     def _to_lift(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish, dt: float) -> int | None:
-        """The foot that the player has up, or the one whose stance is to be mended."""
-        if wish.up[0] or wish.up[1]:
+        """The foot that the player has up, or the one whose stance is to be mended: that one first where a push has left both far apart."""
+        up = int(wish.up[1])
+        if wish.up[up] and (wish.up[0] == wish.up[1] or not self.mending.closes_first(soles, sway.xi, wish, up)):
             self.mending.drop()
-            return None if wish.up[0] and wish.up[1] else int(wish.up[1])
+            return None if wish.up[0] == wish.up[1] else up
         return self.mending.choose(soles, sway.xi, wish, sway.away_m, dt)
 
     def _recover(self, soles: tuple[Sole, Sole], sway: Sway, wish: Wish, dt: float) -> None:
@@ -237,7 +249,7 @@ class Footing:
         side, foot = step.side, self.feet[step.side]
         goal = landing_goal(step, soles, sway, wish, step.span_s)
         yaw = wish.yaw[side]
-        foot.step_to(soles[side].centre, goal, soles[side].yaw, yaw, step.span_s, bow(yaw, step.round_m, 0.0, step.uncrosses))
+        foot.step_to(soles[side].centre, goal, soles[side].yaw, yaw, step.span_s, bow(yaw, step.round_m, step.left_m, step.uncrosses))
         foot.saving, self.rounds = step, step.round_m != 0.0
         self.outside_s = 0.0
         self.mending.drop()

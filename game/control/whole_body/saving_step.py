@@ -31,8 +31,9 @@ LEAST_SIDE_M, CROSS_AHEAD_M, LEAST_CROSS_M, MOST_CROSS_M = 0.13, 0.183, 0.13, 0.
 """It lands at least so far to its own side of the other foot, farther where that is turned; or at least so far before or behind it, and at
 least and at most so far across."""
 
-ROUND_M = 0.3
-"""So far out of the straight way it swings round the other leg."""
+ROUND_M, WIDE_M = 0.3, 0.12
+"""So far out of the straight way it swings round the other leg; and so far to its own side on the way back from across, where its heel
+would come down on the other foot."""
 
 REACH_M = 0.765
 """From the other foot, at most."""
@@ -65,6 +66,13 @@ class SavingStep:
         """It comes back round the leg that it was crossed with."""
         return self.round_m != 0.0 and not self.across
 
+    @property
+    def left_m(self) -> float:
+        """How far to the left of the straight way it swings."""
+        if not self.uncrosses:
+            return 0.0
+        return WIDE_M if self.side == 0 else -WIDE_M
+
 
 def saving_step(side: int, across: int, soles: tuple[Sole, Sole], wish: Wish) -> SavingStep:
     """The step of a foot as the soles stand now."""
@@ -78,7 +86,7 @@ def saving_step(side: int, across: int, soles: tuple[Sole, Sole], wish: Wish) ->
 
 def way_round(side: int, across: int, soles: tuple[Sole, Sole], wish: Wish) -> float:
     """m ahead that a foot swings out of the straight way: round the leg that it crosses, or is crossed with now."""
-    ahead, aside = _from_other(side, soles[1 - side], wish, soles[side].centre[:2])
+    ahead, aside = from_other(side, soles[1 - side], wish, soles[side].centre[:2])
     if aside < 0.5 * LEAST_SIDE_M:
         return math.copysign(ROUND_M, ahead)
     return across * ROUND_M
@@ -126,7 +134,7 @@ def _nearest_landing(step: SavingStep, other: Sole, landing: Floats, wish: Wish)
     stance = other.centre.copy()
     stance[:2] += wish.place[side] - wish.place[1 - side]
     there = sole_corners(stance, wish.yaw[side], other.half_length - LAND_ENDS_M, other.half_width - LAND_SIDES_M)
-    ahead, aside = _from_other(side, other, wish, stance[:2] + landing - nearest_inside(there, landing))
+    ahead, aside = from_other(side, other, wish, stance[:2] + landing - nearest_inside(there, landing))
     within = min(1.0, REACH_M / max(math.hypot(ahead, aside), 1e-9))
     ahead, aside = _clear_of_other(step, other, wish, within * ahead, within * aside)
     most = math.sqrt(max(REACH_M**2 - aside**2, 0.0))
@@ -137,7 +145,7 @@ def _nearest_landing(step: SavingStep, other: Sole, landing: Floats, wish: Wish)
     return goal
 
 
-def _from_other(side: int, other: Sole, wish: Wish, place: Floats) -> tuple[float, float]:
+def from_other(side: int, other: Sole, wish: Wish, place: Floats) -> tuple[float, float]:
     """m that a place (2,) lies ahead of the other foot, and to the own side of foot `side`, as the player's foot points: the other one
     may have been wrung."""
     c, s = math.cos(wish.yaw[1 - side]), math.sin(wish.yaw[1 - side])

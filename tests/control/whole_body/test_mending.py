@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from game.control.whole_body.footing import HANGS_M, RETURN_S, TURNS_SHARE
+from game.control.whole_body.footing import HANGS_M, PASS_M, RETURN_S, TURNS_SHARE
 from game.control.whole_body.mending import (
     AMISS_S,
     ASTRAY_M,
     CALM_M,
+    FAR_APART,
     GIVEN_UP_S,
     LEAN_M,
     PATIENT_S,
@@ -169,6 +170,52 @@ def test_a_foot_that_loses_the_floor_while_it_is_to_be_put_right_goes_there(shak
     shaken.lift_off(RIGHT)
     assert shaken.go() == (STANDS, STEPS)
     np.testing.assert_allclose(shaken.footing.feet[RIGHT].goal[:2], STAND[RIGHT] + ASIDE)
+
+
+@pytest.mark.parametrize("sway_m", [0.5 * SLOW_M, 3.0 * SLOW_M])
+def test_after_a_push_the_weight_goes_over_the_foot_that_stays_however_fast_it_comes(shaken, sway_m):
+    shaken.sway_m = sway_m
+    shaken.xi = shaken.place[LEFT] - (0.0, 0.1)
+    shaken.go(SHAKEN_AMISS_S + 3 * DT)
+    assert shaken.footing.intended == LEFT
+
+
+def test_what_no_push_did_is_not_leaned_over_for_by_a_body_that_sways(scene):
+    scene.place[LEFT] = STAND[LEFT] + (2.0 * ASTRAY_M, 0.0)
+    scene.go(2.0 * AMISS_S)
+    assert scene.footing.intended is not None
+    scene.sway_m = SLOW_M + 0.01
+    scene.go()
+    assert scene.footing.intended is None
+
+
+def test_a_player_who_marches_on_is_followed_once_the_feet_are_together(shaken):
+    """The push has left the left foot far aside, the player lifts his left one: the right one comes first."""
+    shaken.up = (True, False)
+    assert shaken.go(SHAKEN_AMISS_S + 3 * DT) == (STANDS, STEPS)
+    shaken.lift_off(RIGHT)
+    shaken.go(0.9 * RETURN_S)
+    shaken.place[RIGHT] = shaken.footing.feet[RIGHT].goal[:2]
+    shaken.put_down(RIGHT)
+    shaken.xi = shaken.place[RIGHT].copy()
+    assert shaken.go(2 * DT) == (SWINGS, STANDS)
+
+
+def test_feet_no_farther_apart_than_that_do_as_the_player_does(shaken):
+    shaken.place[LEFT] = STAND[LEFT] + (0.0, 0.9 * FAR_APART * SHAKEN_ASTRAY_M)
+    shaken.xi = shaken.place[RIGHT].copy()
+    shaken.up = (True, False)
+    assert shaken.go(SHAKEN_AMISS_S + 3 * DT) == (SWINGS, STANDS)
+
+
+def test_a_foot_that_is_put_right_keeps_clear_of_the_other_one_on_its_way(shaken):
+    """It stands before the other one's toes, too close to pass."""
+    close_m = 1.5 * HALF_WIDTH
+    shaken.place[RIGHT] = shaken.place[LEFT] + (0.3, -close_m)
+    shaken.go(SHAKEN_AMISS_S + 3 * DT)
+    foot = shaken.footing.feet[RIGHT]
+    assert foot.mends
+    np.testing.assert_allclose(foot.bow.out, [0.0, -(2.0 * HALF_WIDTH + PASS_M - close_m), 0.0], atol=1e-12)
 
 
 def test_a_player_who_lifts_a_foot_is_followed_instead(shaken):
