@@ -21,6 +21,7 @@ from game.control.whole_body.hold_damping import hold
 from game.control.whole_body.joint_stops import stopped
 from game.control.whole_body.leap import ComHeight, leap_speed, taking_off
 from game.control.whole_body.leg_kinematics import sole_motions
+from game.control.whole_body.light_foot import eased
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.on_the_floor import OnTheFloor, Stage
 from game.control.whole_body.pelvis_goal import held_by_feet
@@ -187,11 +188,13 @@ class WholeBody:
 
     def _load(self) -> tuple[float, float]:
         """Shares of the weight that was planned for the left and the right foot; nothing of none."""
-        lift = [0.0, 0.0]
-        for place, side in enumerate(self.standing):
-            lift[side] = float(self.wrench[6 * place + 2])
-        total = max(lift[0] + lift[1], 1e-9)
-        return lift[0] / total, lift[1] / total
+        lift = self._carried_n()
+        total = max(sum(lift.values()), 1e-9)
+        return lift.get(0, 0.0) / total, lift.get(1, 0.0) / total
+
+    def _carried_n(self) -> dict[int, float]:
+        """What each foot that stood a tick ago was planned to carry."""
+        return {side: float(self.wrench[6 * place + 2]) for place, side in enumerate(self.standing)}
 
     def _capture_goal(self, frequency: float, dt: float) -> tuple[float, float]:
         """x, y of the player's own capture point in the character's world, low-passed."""
@@ -222,7 +225,8 @@ class WholeBody:
         # who leaves the floor or meets it must not turn: there is nothing to come back with in the air
         leaping = self.footing.landed_s < LANDED_S or self._leap > 0.0
         numbers, cone = self._weights.numbers(not leaping, self._bracing, dt), self._cone(soles, standing)
-        price, strength, joint_weight = _PRICE[: 6 * len(standing)], self._weights.strength, JOINT_WEIGHT[standing] * self._bracing.joints
+        price, joint_weight = _PRICE[: 6 * len(standing)], JOINT_WEIGHT[standing] * self._bracing.joints
+        strength = eased(self._weights.strength, standing, self._carried_n())
         within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
             Wanted(
