@@ -13,12 +13,12 @@ Floats = NDArray[np.float64]
 AMISS_S, ASTRAY_M, ASTRAY_RAD = 0.6, 0.09, 0.4
 """A foot that has stood so long so far from where the player has his, or turned so far from it, is put there."""
 
-SHAKEN_AMISS_S, SHAKEN_ASTRAY_M, SHAKEN_ASTRAY_RAD = 0.02, 0.06, 0.12
+SHAKEN_AMISS_S, SHAKEN_ASTRAY_M, SHAKEN_ASTRAY_RAD = 0.05, 0.06, 0.12
 SHAKEN_S = 3.0
 """The same for so long after the body was thrown or saved itself by a step: then that moved the foot, not the sensor."""
 
-FAR_APART = 2.0
-"""So many times as far from the stance as is let pass, the feet are put together before one is lifted after the player's."""
+FAR_APART_M = 0.2
+"""Feet that a push has left so much farther apart than the player's are put together before one is lifted after his."""
 
 CALM_M, SLOW_M = 0.05, 0.07
 """A capture point no farther from the COM than this belongs to a body at rest, or to one that is slow enough to stand on one foot."""
@@ -55,8 +55,9 @@ class Mending:
 
     def closes_first(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, up: int) -> bool:
         """The player has foot `up` in the air, but a push has just left the feet far apart, and the other one has to follow first."""
-        side, share = _trailing(soles, xi, wish)
-        return self._shaken_s < SHAKEN_S and share > FAR_APART and side != up
+        side, _ = _trailing(soles, xi, wish)
+        apart_m = math.dist(soles[0].centre[:2], soles[1].centre[:2]) - math.dist(*wish.place)
+        return self._shaken_s < SHAKEN_S and apart_m > FAR_APART_M and side != up
 
     def choose(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, sway_m: float, dt: float) -> int | None:
         """The foot to put right; both stand, as the player's do. After a push it is the one that the capture point has left behind.

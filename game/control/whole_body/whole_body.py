@@ -226,7 +226,9 @@ class WholeBody:
         leaping = self.footing.landed_s < LANDED_S or self._leap > 0.0
         numbers, cone = self._weights.numbers(not leaping, self._bracing, dt), self._cone(soles, standing)
         price, joint_weight = _PRICE[: 6 * len(standing)], JOINT_WEIGHT[standing] * self._bracing.joints
-        strength = eased(self._weights.strength, standing, self._carried_n())
+        strength = self._weights.strength
+        if self._bracing is not CALM:
+            strength = eased(strength, standing, self._carried_n())
         within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
             Wanted(

@@ -8,7 +8,7 @@ from game.control.whole_body.mending import (
     AMISS_S,
     ASTRAY_M,
     CALM_M,
-    FAR_APART,
+    FAR_APART_M,
     GIVEN_UP_S,
     LEAN_M,
     PATIENT_S,
@@ -202,7 +202,7 @@ def test_a_player_who_marches_on_is_followed_once_the_feet_are_together(shaken):
 
 
 def test_feet_no_farther_apart_than_that_do_as_the_player_does(shaken):
-    shaken.place[LEFT] = STAND[LEFT] + (0.0, 0.9 * FAR_APART * SHAKEN_ASTRAY_M)
+    shaken.place[LEFT] = STAND[LEFT] + (0.0, 0.9 * FAR_APART_M)
     shaken.xi = shaken.place[RIGHT].copy()
     shaken.up = (True, False)
     assert shaken.go(SHAKEN_AMISS_S + 3 * DT) == (SWINGS, STANDS)
