@@ -13,7 +13,7 @@ Floats = NDArray[np.float64]
 AMISS_S, ASTRAY_M, ASTRAY_RAD = 0.6, 0.09, 0.4
 """A foot that has stood so long so far from where the player has his, or turned so far from it, is put there."""
 
-SHAKEN_AMISS_S, SHAKEN_ASTRAY_M, SHAKEN_ASTRAY_RAD = 0.05, 0.06, 0.12
+SHAKEN_AMISS_S, SHAKEN_ASTRAY_M, SHAKEN_ASTRAY_RAD = 0.02, 0.06, 0.12
 SHAKEN_S = 3.0
 """The same for so long after the body was thrown or saved itself by a step: then that moved the foot, not the sensor."""
 
@@ -23,7 +23,7 @@ FAR_APART_M = 0.2
 CALM_M, SLOW_M = 0.05, 0.07
 """A capture point no farther from the COM than this belongs to a body at rest, or to one that is slow enough to stand on one foot."""
 
-MARGIN_M, PATIENT_S, LEAN_M = 0.035, 0.5, 0.04
+MARGIN_M, PATIENT_S, LEAN_M = 0.03, 0.5, 0.04
 """The foot is lifted once the capture point lies so far inside the other sole; after waiting so long, once it is no farther outside: on
 feet that stand wide the far one cannot push it over, and the foot comes down beside the other one before it has got away."""
 
