@@ -22,7 +22,6 @@ PRESETS: Mapping[str, Mapping[str, Value]] = {
         "intake.smoothing": 1.0,
         "gate.on": False,
         "control.rate_hz": "120",
-        "physics.step_s": 1.0 / 480.0,
     },
 }
 """What each preset sets; every other tunable of the method goes back to its declared default."""

@@ -133,7 +133,7 @@ TUNABLES: Mapping[str, Tunable] = _table(
         Tunable("whole_body.get_up", True, "who has fallen gets up again; off: stays where it lies"),
         Tunable("control.rate_hz", "60", "how often gains, gravity torque and balance are computed anew", unit="Hz", choices=("60", "120", "240", "480")),
         # physics
-        Tunable("physics.step_s", 1.0 / 240.0, "physics time step; rounded to a whole number of steps in 1/60 s", 0.00001, 1.0 / 60.0, "s", log=True, restart=True),
+        Tunable("physics.step_s", 1.0 / 480.0, "physics time step; rounded to a whole number of steps in 1/60 s", 0.00001, 1.0 / 60.0, "s", log=True, restart=True),
         Tunable("physics.integrator", "discrete", "discrete, implicitfast or euler with stable PD, or explicit: the thesis's torques evaluated at the start of the step", choices=("discrete", "implicitfast", "euler", "explicit"), restart=True),
         Tunable("physics.friction", 1.0, "Coulomb friction coefficient of soles and floor, Eq. 3.6", 0.05, 2.0),
         Tunable("physics.self_collision", False, "body parts of one character collide with each other", restart=True),

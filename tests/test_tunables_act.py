@@ -73,7 +73,7 @@ CONTEXTS: Mapping[str, Context] = {
     "gate.twist_rad": seen_by_a_kinect("boxing", 2.7, ("gate.twist_rad", 0.15)),
     # a body of ordinary strength boxes without using all of it
     "whole_body.strength": Context(others=(("whole_body.strength", 0.5),)),
-    "whole_body.get_up": Context(spec="performer:jump", others=(("whole_body.strength", 0.25),), seconds=4.6),
+    "whole_body.get_up": Context(spec="performer:jump", others=(("whole_body.strength", 0.2),), seconds=6.0),
     "physics.self_collision": Context(spec="clip:{clip}", others=(("intake.smoothing", 0.0), *BY_ANKLES)),
     "duel.strategy": Context("duel", "script", seconds=0.5),
     "duel.distance_m": Context("duel", "script", seconds=0.1),

@@ -56,6 +56,15 @@ LOW, HIGH = _ranges()
 
 
 @compiled
+def joint_angles(joint_rotation: Floats) -> Floats:
+    """(14, 3) rad, rotation vectors of the joints (14, 4), each the one nearer to its range."""
+    angles = np.empty((len(joint_rotation), 3))
+    for j in range(len(joint_rotation)):
+        angles[j] = in_range_of(joint_rotation[j], LOW[j], HIGH[j])
+    return angles
+
+
+@compiled
 def in_range_of(turn: Floats, low: Floats, high: Floats) -> Floats:
     """The rotation vector (3,) of `turn` (4,), of the two that mean it the one nearer to low and high (3,) rad.
 

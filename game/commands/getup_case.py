@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation
-from game.characters.joint_limits import HIGH, LOW, in_range_of
+from game.characters.joint_limits import HIGH, LOW, joint_angles
 from game.characters.skeleton import PART_COUNT
 from game.commands.casting import Casting
 from game.commands.shove import PUSH_S, shove_chest
@@ -134,7 +134,7 @@ class FallMeter:
     def see(self) -> None:
         body = self._body
         self.fast_rad_s.append(float(np.linalg.norm(body.velocity[6:].reshape(-1, 3), axis=1).max()))
-        angles = np.array([in_range_of(*row) for row in zip(body.joint_rotation, LOW, HIGH, strict=True)])
+        angles = joint_angles(body.joint_rotation)
         self.past_rad = max(self.past_rad, float(np.maximum(LOW - angles, angles - HIGH).max()))
         lowest = min(lowest_corner(body.turn[part], body.box_centre[part], self._half[part]) for part in range(PART_COUNT))
         self.deep_m = max(self.deep_m, -lowest)

@@ -81,9 +81,9 @@ class Trial:
         self._character, self._settings = character, settings
         self.world = World([body_plan(character)], settings)
         self.body: BodyDynamics = self.world.characters[0]
-        self._rest = joint_strength(self.body.plan)
+        low, high = joint_strength(self.body.plan)
         scale = settings.number("whole_body.strength")
-        self._strength = scale * self._rest[0], scale * self._rest[1]
+        self._strength = scale * low, scale * high
 
     def lie(self, rng: np.random.Generator) -> Floats:
         """(63,) how it lies: four times in five shoved over in the game, else fallen from a height, limbs and body turned anyhow."""
@@ -99,8 +99,7 @@ class Trial:
         rotation, kp, kd = np.empty((JOINT_COUNT, 4)), np.empty(3 * JOINT_COUNT), np.empty(3 * JOINT_COUNT)
         for frame in range(round(_LIE_S * FRAME_HZ)):
             inertia = np.ascontiguousarray(np.diagonal(body.equations[0])[6:])
-            turned, velocity = body.turn[_TRUNK], body.velocity[6:]
-            fall(frame / FRAME_HZ, turned, body.joint_rotation, velocity, inertia, *self._rest, rotation, kp, kd)
+            fall(frame / FRAME_HZ, body.turn[_TRUNK], body.joint_rotation, inertia, rotation, kp, kd)
             self._frame(rotation, kp, kd)
         return body.configuration
 

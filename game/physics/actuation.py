@@ -1,7 +1,8 @@
 """Joint commands as torques: the PD law of Eq. 3.7, evaluated at the end of the step (stable PD, Tan, Liu & Turk 2011).
 
 tau = kp (e_k - h v_{k+1}) + kd (v_target - v_{k+1}): the terms in v_{k+1} are joint damping D = kd + h kp, which MuJoCo's
-integrator solves together with the contacts; the rest is an applied joint torque. Nothing acts on the root.
+integrator solves together with the contacts; the rest is an applied joint torque. Nothing acts on the root. Ligaments come on top of it
+at the ends of the joints' ranges, but not in the explicit law: they are too stiff for it.
 """
 
 from collections.abc import Sequence
@@ -11,11 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.characters.skeleton import DOF_COUNT
+from game.characters.strength import joint_strength
 from game.compiled import compiled
 from game.control.joint_command import JointCommand
 from game.physics.dynamics import BodyDynamics
+from game.physics.ligaments import add_ligaments
 
 Floats = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
 PASSIVE_DAMPING = 2.0
 """Joint damping of a character without a command, N m s/rad."""
@@ -27,9 +31,10 @@ class Actuation:
     def __init__(self, model: mj.MjModel, data: mj.MjData, bodies: Sequence[BodyDynamics], *, explicit: bool) -> None:
         self._model, self._bodies, self._explicit = model, bodies, explicit
         self._first_rows = np.array([b.dofs.start for b in bodies])
+        self._first_places = np.array([b.coordinates.start for b in bodies])
+        self._strength = np.array([joint_strength(b.plan) for b in bodies])
         self._goal = data.qpos.copy()
         self._held = np.zeros((4, model.nv))
-        self._kp, self._kd, self._offset, self._damping = self._held
         self._error = np.zeros(model.nv)
         self._stiff = [False] * len(bodies)
         self._step_s = float(model.opt.timestep)
@@ -39,7 +44,7 @@ class Actuation:
         """(nv,) N m, the torque of each axis in the last step; root rows are zero."""
         self.peak_torque: Floats = np.zeros(model.nv)
         """(nv,) N m, the largest of each axis so far."""
-        self.books = self._applied, self._damping, self.torque, self.peak_torque
+        self.books = self._applied, self._model_damping, self.torque, self.peak_torque
         """What `settle_torque` takes besides the velocity."""
         for index in range(len(bodies)):
             self.relax(index)
@@ -63,7 +68,10 @@ class Actuation:
         if True in self._stiff:
             # without stiffness no error counts, and measuring it costs as much as all the rest
             mj.mj_differentiatePos(self._model, self._error, 1.0, self._position, self._goal)
-        write_torque(self._first_rows, self._held, self._error, self._velocity, self._explicit, self._applied, self._model_damping)
+        write_torque(
+            self._first_rows, self._first_places, self._held, self._error, self._position, self._velocity, self._strength, self._step_s,
+            self._explicit, self._applied, self._model_damping,
+        )  # fmt: skip
 
 
 @compiled
@@ -89,19 +97,26 @@ def take_command(
 
 @compiled
 def write_torque(
-    first_rows: NDArray[np.int64], held: Floats, error: Floats, velocity: Floats, explicit: bool, out: Floats, damping: Floats
-) -> None:
-    """kp e + offset into the joint rows of `out`, less kd v where the whole law is explicit; root rows are left alone.
+    first_rows: Indices, first_places: Indices, held: Floats, error: Floats, position: Floats, velocity: Floats, strength: Floats,
+    step_s: float, explicit: bool, out: Floats, damping: Floats,
+) -> None:  # fmt: skip
+    """kp e + offset into the joint rows of `out`, less kd v where the whole law is explicit, else with ligaments; root rows are left alone.
 
-    held (4, nv): kp, kd, offset and damping, which goes into `damping`.
+    first_rows, first_places: where each character begins in the velocities and positions; held (4, nv): kp, kd, offset and damping, which
+    goes into `damping`; strength (characters, 2, 42) N m of the muscles.
     """
-    for first in first_rows:
+    for row in range(len(damping)):
+        damping[row] = held[3, row]
+    for index, first in enumerate(first_rows):
         for row in range(first + 6, first + DOF_COUNT):
             out[row] = held[0, row] * error[row] + held[2, row]
             if explicit:
                 out[row] -= held[1, row] * velocity[row]
-    for row in range(len(damping)):
-        damping[row] = held[3, row]
+        if not explicit:
+            joints, start = slice(first + 6, first + DOF_COUNT), first_places[index] + 7
+            places = position[start : start + 4 * (DOF_COUNT - 6) // 3]
+            low, high = strength[index]
+            add_ligaments(places, velocity[joints], low, high, step_s, out[joints], damping[joints])
 
 
 @compiled

@@ -61,7 +61,7 @@ class Scene(Protocol):
         ...
 
     def fixed_update(self) -> None:
-        """Advance exactly one 60 Hz picture frame of simulated time (a whole number of physics steps, 4 of 1/240 s by default)."""
+        """Advance exactly one 60 Hz picture frame of simulated time (a whole number of physics steps, 8 of 1/480 s by default)."""
         ...
 
     def drawables(self, blend: float) -> tuple[Layer, ...]:

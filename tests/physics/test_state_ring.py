@@ -14,7 +14,7 @@ def test_a_restored_world_takes_the_same_steps_again_bit_for_bit(ago):
     # the ring's newest entry is the state before the last step, with the torques of the step before it
     again = ago + 1
     world.step_count -= again
-    held = [world.actuation._goal.copy(), world.actuation._kp.copy(), world.actuation._kd.copy()]
+    held = [world.actuation._goal.copy(), world.actuation._held.copy()]
     start = world.ring.state(ago).copy()
     world.ring.restore(ago)
     world.meter.accept_state()
@@ -23,7 +23,7 @@ def test_a_restored_world_takes_the_same_steps_again_bit_for_bit(ago):
     world.ring.restore(4)
     world.meter.accept_state()
     np.testing.assert_array_equal(np.concatenate([run(world, 1, lambda *_: None) for _ in range(5)]), fresh)
-    for before, after in zip(held, (world.actuation._goal, world.actuation._kp, world.actuation._kd), strict=True):
+    for before, after in zip(held, (world.actuation._goal, world.actuation._held), strict=True):
         np.testing.assert_array_equal(before, after)
 
 

@@ -1,4 +1,4 @@
-"""A fall: arms reach for the floor, the head is kept off it, stiffness goes by degrees, joints are stopped at the ends of their ranges."""
+"""A fall: arms reach for the floor, the head is kept off it, stiffness goes by degrees."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,7 +6,6 @@ from numpy.typing import NDArray
 from game import rotation_compiled as one
 from game.characters.joint_limits import HIGH, LOW
 from game.compiled import compiled
-from game.control.whole_body.joint_stops import LIGAMENTS, add_stops
 from game.control.whole_body.key_poses import pose_of
 from game.control.whole_body.support_polygon import distance_inside
 
@@ -30,11 +29,8 @@ BRACED_RATE, LIMP_RATE = 9.0, 2.0
 DAMPING_RATE = 30.0
 """1/s at which a joint that nothing moves comes to rest against its own limb; against the whole body it is less."""
 
-LEAST_DAMPING = 2.0
-"""N m s/rad: a hand is so light that the floor would throw it about its wrist."""
-
-SOON_S = 0.03
-"""The stop is felt by a joint that will be past the end so much later."""
+LEAST_DAMPING = 6.0
+"""N m s/rad: a hand is so light that the floor would throw it about its wrist, and a bent arm about its own length."""
 
 
 FORWARD = pose_of(neck=(0, -0.4, 0), shoulder=(0.2, -1.3, 0), elbow=(0, -0.5, 0), hip=(0.1, -0.3, 0), knee=(0, 0.5, 0))
@@ -61,14 +57,10 @@ def protective_pose(down: Floats) -> Floats:
 
 
 @compiled
-def fall(
-    since_s: float, turn: Floats, joint_rotation: Floats, velocity: Floats, inertia: Floats, low: Floats, high: Floats,
-    rotation: Floats, kp: Floats, kd: Floats,
-) -> None:  # fmt: skip
+def fall(since_s: float, turn: Floats, joint_rotation: Floats, inertia: Floats, rotation: Floats, kp: Floats, kd: Floats) -> None:
     """Fill rotation (14, 4), kp and kd (42,) of a joint command, `since_s` after the fall began.
 
-    turn (3, 3) of the trunk; joint_rotation (14, 4), velocity (42,) rad/s, inertia (42,) kg m^2 of the joints; low, high (42,) N m are
-    their strength.
+    turn (3, 3) of the trunk; joint_rotation (14, 4), inertia (42,) kg m^2 of the joints.
     """
     down = one.turn_back(turn, np.array([0.0, 0.0, -1.0]))
     pose = protective_pose(down)
@@ -81,6 +73,5 @@ def fall(
         off[3 * j], off[3 * j + 1], off[3 * j + 2] = one.turn_to(joint_rotation[j], one.exp(wanted))
         for row in range(3 * j, 3 * j + 3):
             kp[row], kd[row] = rate * rate * inertia[row], max(DAMPING_RATE * inertia[row], LEAST_DAMPING)
-    add_stops(joint_rotation, velocity, low, high, LIGAMENTS, 0.0, SOON_S, off, kp, kd)
     for j in range(len(joint_rotation)):
         rotation[j] = one.multiply(joint_rotation[j], one.exp(off[3 * j : 3 * j + 3]))

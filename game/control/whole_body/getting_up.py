@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game import rotation_compiled as one
+from game.characters.joint_limits import joint_angles
 from game.characters.skeleton import FEET, PARTS
 from game.compiled import compiled
 from game.control.joint_command import BodyState
@@ -14,7 +15,6 @@ from game.control.whole_body.key_poses import KeyPose, in_mirror, key_poses
 from game.control.whole_body.sole import polygon, soles_of
 from game.control.whole_body.support_polygon import distance_inside
 from game.control.whole_body.torque_limits import limits_at
-from game.rotation import log
 
 Floats = NDArray[np.float64]
 
@@ -67,7 +67,7 @@ class GettingUp:
         self._poses = tuple(poses or key_poses()[route])
         if route == "side" and body.turn[_TRUNK, 2, 1] < 0.0:
             self._poses = tuple(KeyPose(in_mirror(pose.joints), pose.seconds) for pose in self._poses)
-        self._number, self._since_s, self._start = 0, 0.0, log(body.joint_rotation)
+        self._number, self._since_s, self._start = 0, 0.0, joint_angles(body.joint_rotation)
         self._lasts_s = 0.0
         self._lay_flat = route_of(body) != "side"
 
@@ -94,7 +94,7 @@ class GettingUp:
     def drive(self, body: BodyState, low: Floats, high: Floats, dt: float, rotation: Floats, kp: Floats, kd: Floats) -> None:
         """Fill rotation (14, 4), kp and kd (42,) of a joint command for the next `dt`; low, high (42,) N m: the joints' strength."""
         if not self._in_last_pose and self._since_s >= self._poses[self._number].seconds - 0.5 * dt:
-            self._number, self._since_s, self._start = self._number + 1, 0.0, log(body.joint_rotation)
+            self._number, self._since_s, self._start = self._number + 1, 0.0, joint_angles(body.joint_rotation)
         self._since_s += dt
         self._lasts_s += dt
         pose = self._poses[self._number]

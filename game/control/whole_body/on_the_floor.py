@@ -118,11 +118,11 @@ class OnTheFloor:
 
     def command(self, body: BodyState, strength: Floats, scale: float, dt: float) -> JointCommand:
         """Of a body that lies. strength (2, 42) N m of a man's joints, to either side; it gets up with so many times as much."""
-        low, high = strength
         rotation, kp, kd = np.empty((JOINT_COUNT, 4)), np.empty(3 * JOINT_COUNT), np.empty(3 * JOINT_COUNT)
         if self.stage is Stage.GETTING_UP and self._try is not None:
-            self._try.drive(body, scale * low, scale * high, dt, rotation, kp, kd)
+            low, high = scale * strength
+            self._try.drive(body, low, high, dt, rotation, kp, kd)
         else:
             inertia = np.ascontiguousarray(np.diagonal(body.equations[0])[6:])
-            fall(self._since_s, body.turn[_TRUNK], body.joint_rotation, body.velocity[6:], inertia, low, high, rotation, kp, kd)
+            fall(self._since_s, body.turn[_TRUNK], body.joint_rotation, inertia, rotation, kp, kd)
         return JointCommand(rotation, _NOTHING, kp, kd, _NOTHING)

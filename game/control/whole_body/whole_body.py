@@ -18,10 +18,8 @@ from game.control.whole_body.felt_push import FeltPush
 from game.control.whole_body.foot_goals import flight_task, foot_task
 from game.control.whole_body.footing import Footing
 from game.control.whole_body.hold_damping import hold
-from game.control.whole_body.joint_stops import stopped
 from game.control.whole_body.leap import ComHeight, leap_speed, taking_off
 from game.control.whole_body.leg_kinematics import sole_motions
-from game.control.whole_body.light_foot import eased
 from game.control.whole_body.motion_window import Motion, MotionWindow
 from game.control.whole_body.on_the_floor import OnTheFloor, Stage
 from game.control.whole_body.pelvis_goal import held_by_feet
@@ -53,7 +51,7 @@ LANDED_S = 0.4
 SETTLE_S = 1.0
 """For so long after a step that saved the balance the player's place follows to where it has led."""
 
-_NO_ROWS = np.zeros((0, 0))
+_NO_ROWS, _NO_STIFFNESS = np.zeros((0, 0)), np.zeros(3 * JOINT_COUNT)
 _PRICE = 1e-6 * np.tile([1.0, 1.0, 1.0, 21.0, 6.0, 21.0], 2)
 """What a wrench costs, so that the least one is taken."""
 
@@ -188,13 +186,9 @@ class WholeBody:
 
     def _load(self) -> tuple[float, float]:
         """Shares of the weight that was planned for the left and the right foot; nothing of none."""
-        lift = self._carried_n()
+        lift = {side: float(self.wrench[6 * place + 2]) for place, side in enumerate(self.standing)}
         total = max(sum(lift.values()), 1e-9)
         return lift.get(0, 0.0) / total, lift.get(1, 0.0) / total
-
-    def _carried_n(self) -> dict[int, float]:
-        """What each foot that stood a tick ago was planned to carry."""
-        return {side: float(self.wrench[6 * place + 2]) for place, side in enumerate(self.standing)}
 
     def _capture_goal(self, frequency: float, dt: float) -> tuple[float, float]:
         """x, y of the player's own capture point in the character's world, low-passed."""
@@ -226,16 +220,13 @@ class WholeBody:
         leaping = self.footing.landed_s < LANDED_S or self._leap > 0.0
         numbers, cone = self._weights.numbers(not leaping, self._bracing, dt), self._cone(soles, standing)
         price, joint_weight = _PRICE[: 6 * len(standing)], JOINT_WEIGHT[standing] * self._bracing.joints
-        strength = self._weights.strength
-        if self._bracing is not CALM:
-            strength = eased(strength, standing, self._carried_n())
         within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
             Wanted(
                 motion.turn, motion.spin, motion.spin_rate, self._upright(motion, soles),
                 (soles[0].centre, soles[1].centre), weight, goal, product, pushes, com_goal, COM_WEIGHT * self._bracing.com,
             ),
-            numbers, strength, joint_weight, price, cone, self._posed,
+            numbers, self._weights.strength, joint_weight, price, cone, self._posed,
         )  # fmt: skip
         self.standing, self.limits, self.momentum = standing, (outcome.low, outcome.high), outcome.momentum
         self.torque, self.wrench = outcome.torque, outcome.wrench
@@ -248,8 +239,7 @@ class WholeBody:
             self.torque, acceleration, self.wrench = within_limits(problem, *limits, p.weight, p.inertia)
             hold(p.firmness, self.torque, *self.limits, velocity, acceleration, dt, outcome.damping, outcome.speed)
         self.com_target[2] = motion.place[3, 2] - self._player.floor_z
-        held, firmness = stopped(rotation, velocity[6:], strength, outcome.speed, outcome.damping)
-        return JointCommand(held, outcome.speed, firmness, outcome.damping, self.torque)
+        return JointCommand(rotation, outcome.speed, _NO_STIFFNESS, outcome.damping, self.torque)
 
     def _upright(self, motion: Motion, soles: tuple[Sole, Sole]) -> Floats:
         """(4,) of the pelvis; takes from the motion's spin what the feet forbid."""

@@ -1,32 +1,25 @@
 """A fall: given up when no step helps, arms to the floor, chin off it, ever less firm, every joint within its range."""
 
-from functools import cache
-
 import numpy as np
 import pytest
 
 from game import rotation
-from game.characters.joint_limits import HIGH, LOW, in_range_of
+from game.characters.joint_limits import HIGH, LOW, joint_angles
 from game.characters.skeleton import JOINT_COUNT, JOINTS, PARTS
-from game.characters.strength import joint_strength
 from game.control.whole_body.falling import LET_GO_S, LIMP_RATE, LOST_M, THROWN_M, TOPPLED_M, fall, is_lost, protective_pose
-from game.control.whole_body.joint_stops import LIGAMENTS, STOP_RAD
 from game.tunables import Settings
-from tests.physics.standing import bent, original
+from tests.physics.standing import bent
 from tests.scenes.staged import make_scene, run_s
 
 SQUARE = np.array([[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]])
-STRENGTH = joint_strength(original())
-KNEE, NECK = 3 * JOINTS.index("knee_left") + 1, 3 * JOINTS.index("neck") + 1
+NECK = 3 * JOINTS.index("neck") + 1
 DIRECTIONS = [(1.0, 0.0, -0.2), (-1.0, 0.0, -0.2), (0.1, 1.0, -0.2), (0.1, -1.0, -0.2), (0.0, 0.0, -1.0)]
 
 
-def commanded(joints=None, velocity=None, since_s=0.0, turn=None):
+def commanded(since_s=0.0, turn=None):
     """(rotation vectors (42,), kp (42,), kd (42,)) of a fall, all inertias 0.5 kg m^2."""
     rotations, kp, kd = np.empty((JOINT_COUNT, 4)), np.empty(42), np.empty(42)
-    velocity = np.zeros(42) if velocity is None else velocity
-    joints = bent() if joints is None else joints
-    fall(since_s, np.eye(3) if turn is None else turn, joints, velocity, np.full(42, 0.5), *STRENGTH, rotations, kp, kd)
+    fall(since_s, np.eye(3) if turn is None else turn, bent(), np.full(42, 0.5), rotations, kp, kd)
     return rotation.log(rotations).reshape(-1), kp, kd
 
 
@@ -78,23 +71,8 @@ def test_stiffness_goes_by_degrees_and_damping_stays():
     np.testing.assert_array_equal(kd[0], kd[-1])
 
 
-def test_a_joint_past_the_end_of_its_range_meets_as_much_as_its_muscles_hold():
-    past = LOW.reshape(-1)[KNEE] - 0.05
-    goal, kp, _ = commanded(bent(knee_left=(0.0, past, 0.0)))
-    back_nm = kp[KNEE] * (goal[KNEE] - past)
-    assert back_nm > 0.05 * LIGAMENTS * STRENGTH[1][KNEE] / STOP_RAD
-    assert kp[KNEE] > LIGAMENTS * STRENGTH[1][KNEE] / STOP_RAD
-
-
-def test_a_joint_that_will_soon_be_past_it_is_braked_already():
-    calm, fast = (commanded(velocity=np.eye(42)[KNEE] * speed)[2][KNEE] for speed in (0.0, -10.0))
-    assert fast > 2.0 * calm
-
-
-@cache
 def shoved(direction_deg: float) -> dict[str, float]:
-    """What a shove of 200 N s at the chest leads to within three seconds: rad/s; degrees past a range from one second after it until a body
-    that may would begin to get up."""
+    """What a shove of 200 N s at the chest leads to within three seconds: rad/s; degrees past a range."""
     settings = Settings({"physics.self_collision": True, "whole_body.get_up": False})
     scene = make_scene("mirror", "performer:standing", settings)
     scene.enter()
@@ -107,12 +85,12 @@ def shoved(direction_deg: float) -> dict[str, float]:
     for _ in range(180):
         scene.fixed_update()
         speeds.append(np.linalg.norm(body.velocity[6:].reshape(-1, 3), axis=1))
-        angles = np.array([in_range_of(*row) for row in zip(body.joint_rotation, LOW, HIGH, strict=True)])
+        angles = joint_angles(body.joint_rotation)
         past.append(np.maximum(np.maximum(LOW - angles, angles - HIGH), 0.0).max())
     out = {
         "fallen": float(simulation.fighters[0].strategy.fallen),
         "fast": float(np.percentile(speeds, 99)),
-        "past": float(np.degrees(np.max(past[60:150]))),
+        "past": float(np.degrees(np.max(past))),
         "calm": float(np.mean(speeds[-30:])),
         "unexplained": float(world.meter.unexplained_force_n[0]),
         "guarded": float(world.guard_actions),
@@ -129,10 +107,5 @@ def test_a_body_shoved_over_falls_without_whirling_limbs_by_its_own_torques(dire
     found = shoved(direction_deg)
     assert found["fallen"] and not found["guarded"]
     assert found["fast"] < 25.0 and found["calm"] < 2.0
-    assert found["past"] < 25.0
+    assert found["past"] < 10.0
     assert found["unexplained"] < 1e-6
-
-
-def test_most_falls_take_no_joint_ten_degrees_past_its_range():
-    """An arm that the trunk comes to lie on may be twisted farther."""
-    assert np.median([shoved(direction_deg)["past"] for direction_deg in FALLS_DEG]) < 10.0
