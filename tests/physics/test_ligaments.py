@@ -79,7 +79,7 @@ def test_a_mirrored_body_is_held_alike():
 
 
 def farthest_deg(joint_speed_rad_s: float) -> float:
-    """How far past its range any joint of a limp body in the air gets whose shins and forearms swing backwards."""
+    """How far past its range any joint of a limp body in the air gets whose shins swing forward."""
     world = world_of((0.0, 0.0, 5.0))
     for name in ("knee_left", "knee_right"):
         world.data.qvel[6 + 3 * JOINTS.index(name) + 1] = -joint_speed_rad_s
