@@ -7,9 +7,13 @@ from numpy.typing import NDArray
 
 from game.compiled import compiled
 from game.control.whole_body.player_stance import Overlay, laid_over, turned_over
-from game.control.whole_body.support_polygon import distance_inside, hull_of_soles, nearest_inside
+from game.control.whole_body.support_polygon import distance_inside, hull_of_soles, nearest_inside, share_inside
 
 Floats = NDArray[np.float64]
+
+LARGEST_LEAD_M = 0.2
+"""The pressure is sought at most so far beyond a capture point that lies outside: the place of the soles nearest to one far away is a
+corner of them, where they can neither lift nor turn the body."""
 
 
 def natural_frequency(gravity: float, height_m: float) -> float:
@@ -52,8 +56,12 @@ def escape_of_soles(
 
 @compiled
 def pressure_target(xi: Floats, wanted: Floats, frequency: float, gain: float, hull: Floats) -> Floats:
-    """(2,) the pivot that brings xi to `wanted` at rate `gain` (1/s), kept inside the hull. From xi' = omega (xi - p)."""
-    return nearest_inside(hull, xi + gain / frequency * (xi - wanted))
+    """(2,) the pivot that brings xi to `wanted` at rate `gain` (1/s), from xi' = omega (xi - p); where it lies outside the hull, the
+    farthest in the hull that brings xi straight there."""
+    lead = gain / frequency * (xi - wanted)
+    if distance_inside(hull, xi) > 0.0:
+        return xi + share_inside(hull, xi, lead) * lead
+    return nearest_inside(hull, xi + min(1.0, LARGEST_LEAD_M / max(math.hypot(lead[0], lead[1]), 1e-9)) * lead)
 
 
 @compiled

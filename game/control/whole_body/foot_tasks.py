@@ -16,6 +16,9 @@ STANCE_WEIGHT, SWING_WEIGHT = 20000.0, 150.0
 EDGE_RAD = 0.045
 """A sole that is tilted so far, because its ankle can do no more, is asked half as much to lie flat, and less the more it is tilted."""
 
+RISE_M_S = 0.2
+"""A sole that rises so fast, because its leg is at its end, is asked half as much to stay down, and less the faster it rises."""
+
 LANDING_S = 0.06
 CATCH_UP_S = 0.3
 """How long a foot that lifts late takes to where the player's already is."""
@@ -45,6 +48,8 @@ def stance(twist: Floats, turn: Floats, height_m: float, touches: bool, since_s:
         goal[2] -= 200.0 * max(height_m, 0.0) + 2.0
         share = 0.02
     weight[:] = STANCE_WEIGHT * share
+    rising = max(twist[2], 0.0) / RISE_M_S
+    weight[2] /= 1.0 + rising * rising
     tilt = (turn[0, 2] ** 2 + turn[1, 2] ** 2) / EDGE_RAD**2
     weight[3:5] /= 1.0 + tilt * tilt
 

@@ -107,3 +107,15 @@ def nearest_inside(hull: Floats, point: Floats) -> Floats:
         if distance < least:
             least, best = distance, candidate
     return best
+
+
+@compiled
+def share_inside(hull: Floats, point: Floats, way: Floats) -> float:
+    """The share, 1 at most, of a way (2,) from a point inside that stays inside."""
+    share = 1.0
+    for k in range(len(hull)):
+        a, b = hull[k], hull[(k + 1) % len(hull)]
+        inside, leaves = _turns_left(a, b, point), (b[1] - a[1]) * way[0] - (b[0] - a[0]) * way[1]
+        if share * leaves > inside:
+            share = inside / leaves
+    return share

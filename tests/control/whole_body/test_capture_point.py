@@ -64,3 +64,21 @@ def test_no_pressure_is_asked_for_outside_the_hull_wherever_the_capture_point_is
 def test_a_capture_point_where_it_should_be_needs_the_pressure_under_it():
     xi = np.array([0.03, -0.02])
     np.testing.assert_allclose(pressure_target(xi, xi, OMEGA, 5.0, HULL), xi, atol=1e-15)
+
+
+@pytest.mark.parametrize("yaw_rad", [-0.07, 0.0, 0.3])
+def test_a_pressure_at_the_edge_lies_straight_beyond_the_capture_point(yaw_rad):
+    """The place of a turned sole nearest to a far-off pressure is its corner: that would turn the body and lift no side of it."""
+    hull = sole_corners(np.zeros(2), yaw_rad, 0.15, 0.075)
+    xi, wanted = np.array([0.01, 0.04]), np.array([0.02, -0.5])
+    pressure = pressure_target(xi, wanted, OMEGA, 10.0, hull)
+    away, way = pressure - xi, xi - wanted
+    assert distance_inside(hull, pressure) == pytest.approx(0.0, abs=1e-12)
+    assert away @ way > 0.0 and away[0] * way[1] == pytest.approx(away[1] * way[0], abs=1e-12)
+
+
+def test_a_capture_point_just_outside_a_turned_sole_asks_for_no_corner_of_it():
+    hull = sole_corners(np.zeros(2), -0.07, 0.15, 0.075)
+    pressure = pressure_target(np.array([0.0, 0.09]), np.array([0.0, -5.0]), OMEGA, 10.0, hull)
+    assert distance_inside(hull, pressure) == pytest.approx(0.0, abs=1e-12)
+    assert np.min(np.linalg.norm(hull - pressure, axis=1)) > 0.1

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from game.control.whole_body.support_polygon import convex_hull, distance_inside, nearest_inside, sole_corners
+from game.control.whole_body.support_polygon import convex_hull, distance_inside, nearest_inside, share_inside, sole_corners
 
 metres = st.integers(-1000, 1000).map(lambda k: k / 1000.0)
 clouds = st.integers(3, 8).flatmap(lambda n: arrays(np.float64, (n, 2), elements=metres))
@@ -124,3 +124,14 @@ def test_what_is_handed_in_is_left_as_it_was():
     nearest_inside(convex_hull(points), place)
     np.testing.assert_array_equal(points, copies[0])
     np.testing.assert_array_equal(place, copies[1])
+
+
+@given(clouds.filter(lambda points: not flat(points)), places, places)
+def test_so_much_of_a_way_stays_inside_and_no_more(points, place, way):
+    hull = convex_hull(points)
+    start = nearest_inside(hull, place)
+    start += 1e-3 * (hull.mean(axis=0) - start)
+    share = share_inside(hull, start, way)
+    assert 0.0 <= share <= 1.0
+    assert distance_inside(hull, start + share * way) > -1e-9
+    assert share == 1.0 or distance_inside(hull, start + 1.001 * share * way) < 1e-9
