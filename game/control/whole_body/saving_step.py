@@ -15,7 +15,7 @@ from game.control.whole_body.wish import Wish
 
 Floats = NDArray[np.float64]
 
-STEP_S, CROSS_S, UNCROSS_S = 0.234, 0.283, 0.37
+STEP_S, CROSS_S, UNCROSS_S = 0.234, 0.27, 0.37
 """How long it takes: on the foot's own side, across the other leg, and back from there."""
 
 OVERSTEP, CROSS_OVERSTEP, UNCROSS_OVERSTEP = (1.05, 1.13), (1.42, 1.42), (1.34, 1.07)
@@ -31,9 +31,9 @@ LEAST_SIDE_M, CROSS_AHEAD_M, LEAST_CROSS_M, MOST_CROSS_M = 0.13, 0.183, 0.13, 0.
 """It lands at least so far to its own side of the other foot, farther where that is turned; or at least so far before or behind it, and at
 least and at most so far across."""
 
-ROUND_M, WIDE_M = 0.3, 0.12
-"""So far out of the straight way it swings round the other leg; and so far to its own side on the way back from across, where its heel
-would come down on the other foot."""
+ROUND_M, WIDE_M = 0.3, 0.14
+"""So far out of the straight way it swings round the other leg, ahead or back and to its own side: it would run into the other foot on the
+way across, and come down on it with its heel on the way back."""
 
 REACH_M = 0.765
 """From the other foot, at most."""
@@ -46,7 +46,7 @@ CROSS_PRICE_M, SLOW_CROSS_PRICE_M, CROSS_AHEAD_PRICE, FRONT_PRICE_M = 0.2, 0.5, 
 """Of crossing over, where the other leg is in the way, and of doing so when nothing pushes hard; of a metre ahead that it goes then; of
 crossing before the other leg."""
 
-HARD_M_S2 = 1.4
+HARD_M_S2 = 1.25
 """A felt push is hard from here on: it unloads the foot that would have to be stood on in a step to the side."""
 
 
@@ -62,14 +62,9 @@ class SavingStep:
     overstep: tuple[float, float]
 
     @property
-    def uncrosses(self) -> bool:
-        """It comes back round the leg that it was crossed with."""
-        return self.round_m != 0.0 and not self.across
-
-    @property
     def left_m(self) -> float:
         """How far to the left of the straight way it swings."""
-        if not self.uncrosses:
+        if self.round_m == 0.0:
             return 0.0
         return WIDE_M if self.side == 0 else -WIDE_M
 

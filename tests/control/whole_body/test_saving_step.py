@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from game.control.whole_body.bow import STRAIGHT, Farthest
 from game.control.whole_body.footing import STUCK_S
 from game.control.whole_body.saving_step import (
     CROSS_AHEAD_M,
@@ -19,6 +20,8 @@ from game.control.whole_body.saving_step import (
     saving_step,
 )
 from tests.control.whole_body.footing_scene import CENTRED, DT, HALF_LENGTH, HALF_WIDTH, LEFT, OMEGA, RIGHT, STAND, STANDS, STEPS, Scene
+
+REAL_HALF_WIDTH = 0.075
 
 
 @pytest.fixture
@@ -41,7 +44,32 @@ def test_pushed_hard_sideways_the_foot_that_carries_nothing_crosses_over_round_t
     foot = scene.footing.feet[RIGHT]
     assert foot.goal[1] > STAND[LEFT, 1] + 0.1 and abs(foot.goal[0]) >= CROSS_AHEAD_M - 1e-9
     assert foot.duration_s == CROSS_S
-    np.testing.assert_allclose(foot.bow.out, [np.copysign(ROUND_M, foot.goal[0]), 0.0, 0.0])
+    np.testing.assert_allclose(foot.bow.out, [np.copysign(ROUND_M, foot.goal[0]), -WIDE_M, 0.0])
+    assert foot.bow.farthest is Farthest.EARLY, "past the toes or the heel of the other foot, then aside"
+
+
+def gap_m(foot, other):
+    """Least distance, along one axis, between two soles of real feet while `foot` takes its step; negative where they overlap."""
+    gaps = []
+    for time_s in np.linspace(0.0, foot.duration_s, 100):
+        foot.time_s = time_s
+        apart = np.abs(foot.step_motion(0.0)[0][:2] - other) - (2.0 * HALF_LENGTH, 2.0 * REAL_HALF_WIDTH)
+        gaps.append(apart.max())
+    return min(gaps)
+
+
+@pytest.mark.parametrize("xi", [0.19, 0.22, 0.25])
+@pytest.mark.parametrize("side", [LEFT, RIGHT])
+def test_a_foot_on_its_way_across_does_not_run_into_the_other_one(scene, side, xi):
+    aside = 1.0 if side == RIGHT else -1.0
+    scene.xi, scene.load = np.array([0.0, aside * xi]), tuple(float(k != side) for k in (LEFT, RIGHT))
+    scene.push = np.array([0.0, 5.0 * aside])
+    scene.go()
+    foot = scene.footing.feet[side]
+    assert foot.saving is not None and foot.saving.across
+    assert gap_m(foot, STAND[1 - side]) > 0.005
+    foot.bow = STRAIGHT
+    assert gap_m(foot, STAND[1 - side]) < -0.05, "the straight way leads through it"
 
 
 def test_a_foot_that_is_crossed_comes_back_round_the_other_leg(scene):
@@ -55,7 +83,7 @@ def test_a_foot_that_is_crossed_comes_back_round_the_other_leg(scene):
     foot = scene.footing.feet[LEFT]
     assert foot.phase is STEPS and foot.duration_s == UNCROSS_S
     np.testing.assert_allclose(foot.bow.out, [ROUND_M, WIDE_M, 0.0], err_msg="the right foot is behind: it goes before it, and wide")
-    assert foot.bow.late, "first past its toes, then back"
+    assert foot.bow.farthest is Farthest.LATE, "first past its toes, then back"
     assert foot.goal[1] >= scene.place[RIGHT, 1] + LEAST_SIDE_M - 1e-9
 
 
