@@ -29,7 +29,7 @@ BRACED_RATE, LIMP_RATE = 9.0, 2.0
 DAMPING_RATE = 30.0
 """1/s at which a joint that nothing moves comes to rest against its own limb; against the whole body it is less."""
 
-LEAST_DAMPING = 6.0
+LEAST_DAMPING = 9.0
 """N m s/rad: a hand is so light that the floor would throw it about its wrist, and a bent arm about its own length."""
 
 
