@@ -42,4 +42,4 @@ def bow(yaw: float, ahead_m: float, left_m: float, farthest: Farthest = Farthest
     return Bow(np.array([c * ahead_m - s * left_m, s * ahead_m + c * left_m, 0.0]), farthest)
 
 
-STRAIGHT = Bow(np.zeros(3))
+NO_BOW = Bow(np.zeros(3))

@@ -7,7 +7,7 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
-from game.control.whole_body.bow import STRAIGHT, Bow
+from game.control.whole_body.bow import NO_BOW, Bow
 from game.control.whole_body.saving_step import SavingStep
 
 Floats = NDArray[np.float64]
@@ -35,7 +35,7 @@ class FootState:
     behind: Floats = field(default_factory=lambda: np.zeros(3))
     """Of a swing: how far the foot was from the player's when it began."""
     fresh: bool = True
-    bow: Bow = STRAIGHT
+    bow: Bow = NO_BOW
     """Of a step."""
     saving: SavingStep | None = None
     """The step that saves the balance, if the foot is on one."""
@@ -53,7 +53,7 @@ class FootState:
         self.phase, self.time_s, self.fresh, self.saving = phase, 0.0, True, None
 
     def step_to(
-        self, start: Floats, goal: Floats, start_yaw: float, goal_yaw: float, duration_s: float, bow: Bow = STRAIGHT
+        self, start: Floats, goal: Floats, start_yaw: float, goal_yaw: float, duration_s: float, bow: Bow = NO_BOW
     ) -> None:  # fmt: skip
         self.enter(Phase.STEP)
         self.bow = bow

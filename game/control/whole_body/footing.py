@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.control.whole_body.bow import Farthest, bow
+from game.control.whole_body.bow import bow
 from game.control.whole_body.capture_point import escape_of_soles, pushed_away
 from game.control.whole_body.contact_states import FootState, Phase
 from game.control.whole_body.mending import MARGIN_M, SLOW_M, Mending
@@ -249,9 +249,7 @@ class Footing:
         side, foot = step.side, self.feet[step.side]
         goal = landing_goal(step, soles, sway, wish, step.span_s)
         yaw = wish.yaw[side]
-        # past the other foot's toes or heel before it goes aside; and, on the way back, until it has done so
-        farthest = Farthest.EARLY if step.across else Farthest.LATE
-        foot.step_to(soles[side].centre, goal, soles[side].yaw, yaw, step.span_s, bow(yaw, step.round_m, step.left_m, farthest))
+        foot.step_to(soles[side].centre, goal, soles[side].yaw, yaw, step.span_s, step.bow(yaw))
         foot.saving, self.rounds = step, step.round_m != 0.0
         self.outside_s = 0.0
         self.mending.drop()

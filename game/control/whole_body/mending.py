@@ -10,7 +10,7 @@ from game.control.whole_body.wish import Wish
 
 Floats = NDArray[np.float64]
 
-AMISS_S, ASTRAY_M, ASTRAY_RAD = 0.6, 0.09, 0.4
+AMISS_S, ASTRAY_M, ASTRAY_RAD = 0.6, 0.09, 0.2
 """A foot that has stood so long so far from where the player has his, or turned so far from it, is put there."""
 
 SHAKEN_AMISS_S, SHAKEN_ASTRAY_M, SHAKEN_ASTRAY_RAD = 0.02, 0.06, 0.12
@@ -55,17 +55,16 @@ class Mending:
 
     def closes_first(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, up: int) -> bool:
         """The player has foot `up` in the air, but a push has just left the feet far apart, and the other one has to follow first."""
-        side, _ = _trailing(soles, xi, wish)
         apart_m = math.dist(soles[0].centre[:2], soles[1].centre[:2]) - math.dist(*wish.place)
-        return self._shaken_s < SHAKEN_S and apart_m > FAR_APART_M and side != up
+        return self._shaken_s < SHAKEN_S and apart_m > FAR_APART_M and _left_behind(soles, xi) != up
 
     def choose(self, soles: tuple[Sole, Sole], xi: Floats, wish: Wish, sway_m: float, dt: float) -> int | None:
-        """The foot to put right; both stand, as the player's do. After a push it is the one that the capture point has left behind.
+        """The foot to put right; both stand, as the player's do. After a push see `_shaken_amiss`.
 
         sway_m: from the COM to the capture point xi (2,).
         """
         shaken = self._shaken_s < SHAKEN_S
-        side, share = _trailing(soles, xi, wish) if shaken else _farthest(soles, wish)
+        side, share = _shaken_amiss(soles, xi, wish, sway_m) if shaken else _farthest(soles, wish)
         if self.side is not None:
             self._waits_s += dt
             if self._waits_s < GIVEN_UP_S and share > 0.5:
@@ -89,14 +88,24 @@ def _farthest(soles: tuple[Sole, Sole], wish: Wish) -> tuple[int, float]:
     return worst, share[worst]
 
 
-def _trailing(soles: tuple[Sole, Sole], xi: Floats, wish: Wish) -> tuple[int, float]:
-    """The foot farther from the capture point, and how far the two stand from as far apart as they should; or one that is turned."""
-    behind = int(math.dist(xi, soles[1].centre[:2]) > math.dist(xi, soles[0].centre[:2]))
+def _left_behind(soles: tuple[Sole, Sole], xi: Floats) -> int:
+    """The foot farther from the capture point."""
+    return int(math.dist(xi, soles[1].centre[:2]) > math.dist(xi, soles[0].centre[:2]))
+
+
+def _shaken_amiss(soles: tuple[Sole, Sole], xi: Floats, wish: Wish, sway_m: float) -> tuple[int, float]:
+    """The foot to put beside the other one, and by what share of what is let pass the two stand otherwise than they should.
+
+    Of feet too far or too little apart it is the one left behind, or, of a body slow enough to choose, the one that is turned too: one step
+    puts both right. Else it is the one that is turned.
+    """
     apart = soles[0].centre[:2] - soles[1].centre[:2] - wish.place[0] + wish.place[1]
     place = math.hypot(*apart) / SHAKEN_ASTRAY_M
     turned = [_turned(soles, wish, side) / SHAKEN_ASTRAY_RAD for side in range(2)]
     worst = int(turned[1] > turned[0])
-    return (behind, place) if place > 1.0 else (worst, max(place, turned[worst]))
+    if place > 1.0 and not (turned[worst] > 1.0 and sway_m < SLOW_M):
+        return _left_behind(soles, xi), place
+    return worst, max(place, turned[worst])
 
 
 def _turned(soles: tuple[Sole, Sole], wish: Wish, side: int) -> float:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from game.control.whole_body.bow import NO_BOW, Bow, Farthest, bow
 from game.control.whole_body.capture_point import predicted, pushed_away
 from game.control.whole_body.sole import PRESSURE_MARGIN_M, Sole
 from game.control.whole_body.support_polygon import nearest_inside, sole_corners
@@ -61,12 +62,13 @@ class SavingStep:
     span_s: float
     overstep: tuple[float, float]
 
-    @property
-    def left_m(self) -> float:
-        """How far to the left of the straight way it swings."""
+    def bow(self, yaw: float) -> Bow:
+        """Out of the straight way, for a foot that is to point to `yaw`, rad."""
         if self.round_m == 0.0:
-            return 0.0
-        return WIDE_M if self.side == 0 else -WIDE_M
+            return NO_BOW
+        # past the other foot's toes or heel before it goes aside; and, on the way back, until it has done so
+        farthest = Farthest.EARLY if self.across else Farthest.LATE
+        return bow(yaw, self.round_m, WIDE_M if self.side == 0 else -WIDE_M, farthest)
 
 
 def saving_step(side: int, across: int, soles: tuple[Sole, Sole], wish: Wish) -> SavingStep:

@@ -1,5 +1,7 @@
 """What the tasks of a tick weigh: by the tunables, by the feet that stand, and by how the body braces itself."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -54,5 +56,8 @@ class TaskWeights:
             )  # fmt: skip
         own = self._numbers
         if turns:
-            return own._replace(pelvis_weight=own.pelvis_weight * braced.pelvis, spin_weight=own.spin_weight * braced.spin)
+            return own._replace(
+                pose_stiffness=own.pose_stiffness * braced.pose, pose_damping=own.pose_damping * math.sqrt(braced.pose),
+                pelvis_weight=own.pelvis_weight * braced.pelvis, spin_weight=own.spin_weight * braced.spin,
+            )  # fmt: skip
         return own._replace(back_rate=0.0)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from game.control.whole_body.bow import STRAIGHT, Farthest, bow
+from game.control.whole_body.bow import NO_BOW, Farthest, bow
 
 OUT = np.array([0.18, -0.07, 0.0])
 
@@ -41,4 +41,4 @@ def test_rate_and_surge_are_the_derivatives_of_the_place(farthest, s):
 
 
 def test_a_straight_step_has_none():
-    assert not any(part.any() for part in STRAIGHT.motion(0.3))
+    assert not any(part.any() for part in NO_BOW.motion(0.3))

@@ -39,6 +39,13 @@ def test_a_thrown_body_stays_braced_on_its_step_and_a_little_longer(scene, felt,
     assert bracing(scene.footing, felt) is CALM
 
 
+def test_a_step_round_the_other_leg_braces_without_a_push_too(scene, felt):
+    scene.footing.saved_s, scene.footing.rounds = 0.0, True
+    assert bracing(scene.footing, felt) is ROUND
+    scene.footing.rounds = False
+    assert bracing(scene.footing, felt) is CALM
+
+
 def test_over_one_foot_the_place_of_the_com_goes_before_all_while_the_other_is_put_right(scene, felt):
     felt.thrown_s, scene.footing.saved_s = 0.1, 0.1
     foot = scene.footing.feet[LEFT]

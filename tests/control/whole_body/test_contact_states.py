@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from game.control.whole_body.bow import STRAIGHT, bow
+from game.control.whole_body.bow import NO_BOW, bow
 from game.control.whole_body.contact_states import FootState, Phase
 
 START, GOAL, CLEARANCE = np.array([0.1, 0.2, 0.0]), np.array([0.5, 0.1, 0.02]), 0.06
@@ -12,7 +12,7 @@ START, GOAL, CLEARANCE = np.array([0.1, 0.2, 0.0]), np.array([0.5, 0.1, 0.02]), 
 def step(time_s, start_yaw=0.1, goal_yaw=0.5, duration_s=0.26, ahead_m=0.0):
     """place, velocity, acceleration, yaw, its rate at time_s of a step, with a bow so far ahead."""
     foot = FootState()
-    foot.step_to(START, GOAL, start_yaw, goal_yaw, duration_s, bow(goal_yaw, ahead_m, 0.0) if ahead_m else STRAIGHT)
+    foot.step_to(START, GOAL, start_yaw, goal_yaw, duration_s, bow(goal_yaw, ahead_m, 0.0) if ahead_m else NO_BOW)
     foot.time_s = time_s
     return foot.step_motion(CLEARANCE)
 

@@ -14,6 +14,7 @@ from game.control.whole_body.mending import (
     PATIENT_S,
     SHAKEN_AMISS_S,
     SHAKEN_ASTRAY_M,
+    SHAKEN_ASTRAY_RAD,
     SHAKEN_S,
     SLOW_M,
 )
@@ -42,6 +43,17 @@ def shaken(scene):
 def test_after_a_push_the_foot_that_is_left_behind_is_soon_put_beside_the_other(shaken):
     assert shaken.go(SHAKEN_AMISS_S + 3 * DT) == (STANDS, STEPS)
     np.testing.assert_allclose(shaken.footing.feet[RIGHT].goal[:2], STAND[RIGHT] + ASIDE)
+
+
+@pytest.mark.parametrize(("yaw", "sway_m", "mended"), [(1.2, 0.5, LEFT), (0.8, 0.5, RIGHT), (1.2, 1.1, RIGHT)])
+def test_a_slow_body_puts_the_foot_beside_the_other_that_is_turned_too(shaken, yaw, sway_m, mended):
+    """One step then puts place and turn right; who is fast has no choice of the foot to stand on."""
+    shaken.yaw[LEFT] = yaw * SHAKEN_ASTRAY_RAD
+    shaken.sway_m = sway_m * SLOW_M
+    shaken.go(SHAKEN_AMISS_S + 3 * DT)
+    shaken.xi, shaken.sway_m = shaken.place[1 - mended].copy(), 0.0
+    shaken.go()
+    assert shaken.phases()[mended] is STEPS and shaken.phases()[1 - mended] is STANDS
 
 
 def test_it_waits_for_a_capture_point_that_still_runs(shaken):

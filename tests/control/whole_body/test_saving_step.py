@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from game.control.whole_body.bow import STRAIGHT, Farthest
+from game.control.whole_body.bow import NO_BOW, Farthest
 from game.control.whole_body.footing import STUCK_S
 from game.control.whole_body.saving_step import (
     CROSS_AHEAD_M,
@@ -68,7 +68,7 @@ def test_a_foot_on_its_way_across_does_not_run_into_the_other_one(scene, side, x
     foot = scene.footing.feet[side]
     assert foot.saving is not None and foot.saving.across
     assert gap_m(foot, STAND[1 - side]) > 0.005
-    foot.bow = STRAIGHT
+    foot.bow = NO_BOW
     assert gap_m(foot, STAND[1 - side]) < -0.05, "the straight way leads through it"
 
 
