@@ -21,6 +21,10 @@ PLANNED = 0.9
 HELD_BY_RAD_S = 8.0
 """A limb that loses what it pushed against between two ticks is held at least as if it took its whole strength this far off its speed."""
 
+HOLD_IN_THE_AIR = 0.5
+"""Share of the hold that a flying body has: its landing throws a knee by 7 rad/s, which a firmer hold would answer with more than a joint
+has."""
+
 COM_WEIGHT = np.array([15000.0, 15000.0, 500.0])
 
 
@@ -43,8 +47,8 @@ class TaskWeights:
         self._settings, self.full_strength = settings, full_strength
         self._read = -1, 0.0
 
-    def numbers(self, turns: bool, braced: Bracing, dt: float) -> Numbers:
-        """turns: False for a body that leaves the floor or meets it and must not."""
+    def numbers(self, turns: bool, flies: bool, braced: Bracing, dt: float) -> Numbers:
+        """turns: False for a body that leaves the floor or meets it and must not; flies: nothing of it stands."""
         number, key = self._settings.number, (self._settings.version, dt)
         if self._read != key:
             self._read = key
@@ -54,7 +58,7 @@ class TaskWeights:
                 number("whole_body.spin_weight"), SPIN_RATE, BACK_RATE, LARGEST_BACK, number("whole_body.hold"), PLANNED,
                 HELD_BY_RAD_S, dt,
             )  # fmt: skip
-        own = self._numbers
+        own = self._numbers._replace(hold=HOLD_IN_THE_AIR * self._numbers.hold) if flies else self._numbers
         if turns:
             return own._replace(
                 pose_stiffness=own.pose_stiffness * braced.pose, pose_damping=own.pose_damping * math.sqrt(braced.pose),

@@ -218,7 +218,8 @@ class WholeBody:
             com_goal[2] = lift
         # who leaves the floor or meets it must not turn: there is nothing to come back with in the air
         leaping = self.footing.landed_s < LANDED_S or self._leap > 0.0
-        numbers, cone = self._weights.numbers(not leaping, self._bracing, dt), self._cone(soles, standing)
+        numbers = self._weights.numbers(not leaping, self.footing.flying, self._bracing, dt)
+        cone = self._cone(soles, standing)
         price, joint_weight = _PRICE[: 6 * len(standing)], JOINT_WEIGHT[standing] * self._bracing.joints
         within, outcome = pose_and_answer(
             Body(mass, bias, velocity, rotation, body.orientation, body.turn, body.joint, body.com, self._total_mass, body.gravity),
